@@ -1,0 +1,1 @@
+"""Turn two vector drawings into the movement between them."""

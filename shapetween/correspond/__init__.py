@@ -1,0 +1,1 @@
+"""Finding which point of one outline becomes which point of the other."""

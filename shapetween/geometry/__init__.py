@@ -1,0 +1,1 @@
+"""Plane geometry on arrays: numpy in, numpy out, nothing of SVG, meshes or time."""

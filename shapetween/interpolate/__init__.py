@@ -1,0 +1,1 @@
+"""Methods that move a mesh pair, behind one interface."""

@@ -1,0 +1,1 @@
+"""Splitting two matched outlines into one mesh of quads with two sets of vertices."""

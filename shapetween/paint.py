@@ -1,0 +1,75 @@
+"""How a shape is painted: colours, gradients and strokes, as values."""
+
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+__all__ = ["Colour", "FillRule", "Gradient", "Paint", "Stop", "Stroke", "Style"]
+
+FillRule: TypeAlias = Literal["nonzero", "evenodd"]
+
+
+@dataclass(frozen=True, slots=True)
+class Colour:
+    """An sRGB colour, not premultiplied, every component from 0 to 1."""
+
+    red: float = 0.0
+    green: float = 0.0
+    blue: float = 0.0
+    alpha: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """A gradient's colour at an offset from 0 to 1."""
+
+    offset: float
+    colour: Colour
+
+
+@dataclass(frozen=True, slots=True)
+class Gradient:
+    """A linear or radial gradient in the drawing's own units.
+
+    Attributes
+    ----------
+    kind : {"linear", "radial"}
+    points : tuple of float
+        x1, y1, x2, y2 of a linear gradient; cx, cy, r, fx, fy of a radial one.
+    matrix : tuple of float
+        a, b, c, d, e, f of the map from those points to user units.
+    stops : tuple of Stop
+    spread : {"pad", "reflect", "repeat"}
+    """
+
+    kind: Literal["linear", "radial"]
+    points: tuple[float, ...]
+    matrix: tuple[float, ...]
+    stops: tuple[Stop, ...]
+    spread: Literal["pad", "reflect", "repeat"] = "pad"
+
+
+Paint: TypeAlias = Colour | Gradient | None
+"""What fills an area; None leaves it unpainted."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A painted line of a certain width, in user units."""
+
+    paint: Colour | Gradient
+    width: float = 1.0
+    cap: Literal["butt", "round", "square"] = "butt"
+    join: Literal["miter", "round", "bevel"] = "miter"
+    miter_limit: float = 4.0
+    dashes: tuple[float, ...] = ()
+    dash_offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """Everything that paints one shape."""
+
+    fill: Paint = field(default_factory=Colour)
+    stroke: Stroke | None = None
+    opacity: float = 1.0
+    fill_rule: FillRule = "nonzero"

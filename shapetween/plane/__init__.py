@@ -1,0 +1,1 @@
+"""A mesh of the whole plane, inside and outside, that keeps a movement from folding."""

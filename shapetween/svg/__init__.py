@@ -1,0 +1,1 @@
+"""Reading and writing SVG: the only place that knows of XML."""
