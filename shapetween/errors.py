@@ -1,6 +1,6 @@
 """What can be wrong with a user's input, one class for each thing a caller could do about it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 __all__ = [
     "BudgetError",
@@ -53,7 +53,7 @@ class DegenerateQuadError(MeshError):
         The quads, counted from 0.
     """
 
-    def __init__(self, indices: Sequence[int], message: str) -> None:
+    def __init__(self, indices: Iterable[int], message: str) -> None:
         self.indices = tuple(int(i) for i in indices)
         named = ", ".join(str(i) for i in self.indices[:8]) + (
             ", ..." if len(self.indices) > 8 else ""

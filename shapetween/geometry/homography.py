@@ -1,0 +1,85 @@
+"""Homographies between quads, many at a time.
+
+Matrices act on column vectors (x, y, 1); a stack of them has shape (Q, 3, 3).
+
+.. [HZ04] R. Hartley, A. Zisserman, *Multiple View Geometry*, 2nd ed., 2004, algorithm 4.2.
+.. [WKD07] K. H. Wong, P. Kovesi, A. Datta, "Projective Transformations for Image Transition
+   Animations", ICIAP 2007.
+"""
+
+import numpy as np
+
+from shapetween.arrays import Floats, Points, Quads
+
+__all__ = ["apply_homography", "homogeneous_weights", "quad_homographies", "triangle_affinities"]
+
+
+def quad_homographies(source: Quads, target: Quads) -> Floats:
+    """Homography that takes each source quad's corners to the target's, by the normalised DLT.
+
+    Parameters
+    ----------
+    source, target : (Q, 4, 2) float64
+        Corners; no three of a quad on one line.
+
+    Returns
+    -------
+    (Q, 3, 3) float64
+        Scaled so that the entry of the source centroid's weight, h3 . (centroid, 1), is 1.
+
+    Notes
+    -----
+    Both quads are moved to their centroid and scaled to a mean corner distance of sqrt(2) first
+    [HZ04]_; without it the null vector of nearly parallel equations is mostly rounding error.
+    """
+    p, q = _normaliser(source), _normaliser(target)
+    x, y = np.moveaxis(apply_homography(p, source), -1, 0)  # (Q, 4)
+    u, v = np.moveaxis(apply_homography(q, target), -1, 0)
+    zero, one = np.zeros_like(x), np.ones_like(x)
+    rows_v = np.stack([zero, zero, zero, -x, -y, -one, v * x, v * y, v], axis=-1)
+    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y, -u], axis=-1)
+    null = np.linalg.svd(np.concatenate([rows_v, rows_u], axis=-2))[2][..., -1, :]
+    matrix = np.linalg.inv(q) @ null.reshape(*null.shape[:-1], 3, 3) @ p
+    centre = np.concatenate([source.mean(axis=-2), np.ones((*source.shape[:-2], 1))], axis=-1)
+    weight = np.einsum("...j,...j->...", matrix[..., 2, :], centre)
+    return np.asarray(matrix / weight[..., None, None])
+
+
+def _normaliser(points: Points) -> Floats:
+    centre = points.mean(axis=-2)
+    spread = np.linalg.norm(points - centre[..., None, :], axis=-1).mean(axis=-1)
+    scale = np.sqrt(2) / spread
+    matrix = np.zeros((*points.shape[:-2], 3, 3))
+    matrix[..., 0, 0] = matrix[..., 1, 1] = scale
+    matrix[..., :2, 2] = -scale[..., None] * centre
+    matrix[..., 2, 2] = 1.0
+    return matrix
+
+
+def apply_homography(matrix: Floats, points: Points) -> Points:
+    """Map points: matrices (..., 3, 3) on points (..., K, 2)."""
+    mapped = points @ np.swapaxes(matrix[..., :2], -1, -2) + matrix[..., None, :, 2]
+    return np.asarray(mapped[..., :2] / mapped[..., 2:])
+
+
+def homogeneous_weights(matrix: Floats, points: Points) -> Floats:
+    """The third coordinate w of mapped points, (..., K); one sign where no point meets infinity."""
+    return np.asarray(
+        np.einsum("...j,...kj->...k", matrix[..., 2, :2], points) + matrix[..., 2, 2:]
+    )
+
+
+def triangle_affinities(source: Points, target: Points) -> Floats:
+    """Linear part of the affine map that takes each source triangle to its target.
+
+    Parameters
+    ----------
+    source, target : (T, 3, 2) float64
+
+    Returns
+    -------
+    (T, 2, 2) float64
+    """
+    p = np.swapaxes(source[..., 1:, :] - source[..., :1, :], -1, -2)
+    q = np.swapaxes(target[..., 1:, :] - target[..., :1, :], -1, -2)
+    return np.asarray(q @ np.linalg.inv(p))
