@@ -1,0 +1,173 @@
+"""When frames are taken: easing, even frames, and keyframes no denser than the eye needs.
+
+Two clocks run here. A player's clock `u` goes evenly from 0 to 1; the movement's time `t` is what
+an easing makes of it. A player that moves on straight lines between keyframes is right only where
+the movement is straight in `u`, so keyframes are chosen there.
+
+.. [Css] CSS Easing Functions Level 1, section 2.2, W3C.
+"""
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import TypeAlias
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index
+from shapetween.errors import OptionError
+
+__all__ = [
+    "EASINGS",
+    "KEYFRAME_TOLERANCE",
+    "Easing",
+    "easing_function",
+    "even_times",
+    "keyframes",
+    "sample_times",
+]
+
+Easing: TypeAlias = Callable[[Floats], Floats]
+"""From a player's clock to the movement's time, both from 0 to 1."""
+
+#: Handles x1, y1, x2, y2 of the named easings, as CSS has them.
+EASINGS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
+    {
+        "linear": (0.0, 0.0, 1.0, 1.0),
+        "ease": (0.25, 0.1, 0.25, 1.0),
+        "ease-in": (0.42, 0.0, 1.0, 1.0),
+        "ease-out": (0.0, 0.0, 0.58, 1.0),
+        "ease-in-out": (0.42, 0.0, 0.58, 1.0),
+    }
+)
+
+#: How far a control point may be from its place between two keyframes, as a share of the view
+#: box's larger side: 0.18 px at 1000 px, which with the default rounding stays within a quarter of
+#: a pixel. Larger and the in-betweens drift visibly; smaller and the file grows for nothing seen.
+KEYFRAME_TOLERANCE = 1.8e-4
+
+#: Steps of the clock on which keyframes may lie. Fewer miss quick turns between two of them; more
+#: cost time. 120 has the halves, thirds, quarters, fifths and sixths of a chain of movements.
+SAMPLE_STEPS = 120
+
+#: Halvings with which a Bezier easing is solved for its parameter: to the last bit of a double.
+BISECTIONS = 60
+
+
+def easing_function(name: str) -> Easing:
+    """The easing of that name, or of a ``cubic-bezier(x1,y1,x2,y2)``.
+
+    Parameters
+    ----------
+    name : str
+        One of `EASINGS`, or four numbers from 0 to 1 in CSS's notation. CSS lets y1 and y2 run
+        past 0 and 1; a movement has nothing to show before its start and after its end, so here
+        they may not.
+
+    Raises
+    ------
+    OptionError
+        If there is no such easing.
+
+    Examples
+    --------
+    >>> easing_function("ease-in")(np.array([0.0, 0.5, 1.0])).round(3)
+    array([0.   , 0.315, 1.   ])
+    """
+    x1, y1, x2, y2 = EASINGS[name] if name in EASINGS else _bezier_handles(name)
+    if (x1, x2) == (y1, y2):
+        return np.asarray
+
+    def ease(u: Floats) -> Floats:
+        """Solve x(s) = u, which rises with s, by halving; the answer is y(s) ([Css]_)."""
+        clock = np.asarray(u, np.float64)
+        low, high = np.zeros_like(clock), np.ones_like(clock)
+        for _ in range(BISECTIONS):
+            middle = (low + high) / 2
+            before = _bezier(middle, x1, x2) < clock
+            low, high = np.where(before, middle, low), np.where(before, high, middle)
+        time = np.clip(_bezier((low + high) / 2, y1, y2), 0.0, 1.0)
+        return np.where((clock <= 0) | (clock >= 1), clock, time)
+
+    return ease
+
+
+def _bezier(s: Floats, first: float, second: float) -> Floats:
+    """A cubic Bezier from 0 to 1 with the two handles given."""
+    r = 1 - s
+    return 3 * r * r * s * first + 3 * r * s * s * second + s**3
+
+
+def _bezier_handles(name: str) -> tuple[float, float, float, float]:
+    """The numbers in ``cubic-bezier(x1,y1,x2,y2)``."""
+    compact = "".join(name.split()).lower()
+    inner = compact.removeprefix("cubic-bezier(").removesuffix(")")
+    try:
+        x1, y1, x2, y2 = (float(part) for part in inner.split(","))
+    except ValueError:
+        pass
+    else:
+        if compact == f"cubic-bezier({inner})" and all(0 <= v <= 1 for v in (x1, y1, x2, y2)):
+            return x1, y1, x2, y2
+    raise OptionError(
+        f"easing {name!r}: expected {', '.join(EASINGS)}, or cubic-bezier(x1,y1,x2,y2) "
+        "with numbers from 0 to 1"
+    )
+
+
+def even_times(count: int) -> Floats:
+    """Times k / (count - 1), (count,); a single frame is the first.
+
+    Raises
+    ------
+    OptionError
+        If no frame is asked for.
+    """
+    if count < 1:
+        raise OptionError(f"{count} frames: expected at least 1")
+    return np.arange(count) / max(count - 1, 1)
+
+
+def sample_times() -> Floats:
+    """The times of a player's clock on which `keyframes` may choose."""
+    return even_times(SAMPLE_STEPS + 1)
+
+
+def keyframes(samples: Floats, tolerance: float) -> Index:
+    """Choose samples between which straight lines stay near all the others.
+
+    Parameters
+    ----------
+    samples : (S, K, D) float64
+        K points, or colours, at S even times.
+    tolerance : float
+        Greatest distance allowed between a point and the straight line in time that stands for it.
+        Moving a Bezier's control points moves no point of the curve farther.
+
+    Returns
+    -------
+    (M,) intp
+        Rising indices, the first and the last sample among them.
+
+    Notes
+    -----
+    From each keyframe the next one is put as far on as every shorter step was still near enough.
+    That takes about as few as any choice could, and the same ones every time.
+    """
+    last = len(samples) - 1
+    if not np.ptp(samples, axis=0).any():
+        return np.unique([0, last])
+    chosen = [0]
+    while chosen[-1] < last:
+        start = chosen[-1]
+        end = start + 1
+        while end < last and _is_near(samples[start : end + 2], tolerance):
+            end += 1
+        chosen.append(end)
+    return np.array(chosen, np.intp)
+
+
+def _is_near(samples: Floats, tolerance: float) -> bool:
+    """Whether a straight line in time from the first to the last sample is near all of them."""
+    share = (np.arange(1, len(samples) - 1) / (len(samples) - 1))[:, None, None]
+    straight = (1 - share) * samples[0] + share * samples[-1]
+    return bool((((samples[1:-1] - straight) ** 2).sum(-1) <= tolerance**2).all())
