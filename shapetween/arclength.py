@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from shapetween.arrays import Curves, Floats, Index, Points
 from shapetween.errors import OutlineError
-from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.geometry.bezier import sub_curves
 from shapetween.outline import Outline
 
 __all__ = ["ArcLength"]
@@ -36,9 +36,9 @@ MAX_STEPS = 60
 #: Share of the whole length to which a place is found; smaller is below what the sums can tell.
 PLACE_ERROR = 2e-15
 
-#: Chords of a piece on which the nearest point is first looked for; fewer could miss the nearer
-#: of two branches of one piece.
-NEAREST_CHORDS = 16
+#: Parts of a piece in which the nearest point is looked for; each is taken to hold one nearest
+#: point at most, so fewer could miss the nearer of two, and more cost time.
+NEAREST_PARTS = 8
 
 
 class ArcLength:
@@ -140,26 +140,20 @@ class ArcLength:
         """
         p = np.asarray(points, dtype=np.float64)
         flat = p.reshape(-1, 2)
-        pieces = sub_curves(
-            self.outline.curves[self._piece_curve], self._piece_start, self._piece_end
-        )
-        samples = evaluate(pieces, np.linspace(0.0, 1.0, NEAREST_CHORDS + 1))
-        away = np.linalg.norm(flat[:, None, None] - samples, axis=-1)
-        # Only a piece whose box comes as near as the nearest sample can hold the nearest point.
-        low, high = pieces.min(axis=1), pieces.max(axis=1)
+        cuts = np.linspace(self._piece_start, self._piece_end, NEAREST_PARTS + 1, axis=1)
+        part_curve = np.repeat(self._piece_curve, NEAREST_PARTS)
+        start, end = cuts[:, :-1].ravel(), cuts[:, 1:].ravel()
+        parts = sub_curves(self.outline.curves[part_curve], start, end)
+        reach = np.linalg.norm(flat[:, None] - parts[:, 0], axis=-1).min(axis=1)
+        reach = np.minimum(reach, np.linalg.norm(flat - parts[-1, 3], axis=-1))
+        # Only a part whose box comes as near as the nearest cut can hold the nearest point.
+        low, high = parts.min(axis=1), parts.max(axis=1)
         gap = np.maximum(np.maximum(low - flat[:, None], flat[:, None] - high), 0.0)
-        near = np.linalg.norm(gap, axis=-1) <= away.min(axis=(1, 2))[:, None]
-        padded = np.pad(away, ((0, 0), (0, 0), (1, 1)), constant_values=np.inf)
-        dips = (away <= padded[..., :-2]) & (away <= padded[..., 2:]) & near[..., None]
-        who, piece, sample = np.nonzero(dips)
-        curve, target = self._piece_curve[piece], flat[who]
-        begin, width = self._piece_start[piece], (self._piece_end - self._piece_start)[piece]
-        steps = width / NEAREST_CHORDS
-        middle = begin + sample * steps
-        lowest, highest = (
-            np.maximum(middle - steps, begin),
-            np.minimum(middle + steps, begin + width),
-        )
+        # A whisker more, lest rounding shut out the very part.
+        who, part = np.nonzero(np.linalg.norm(gap, axis=-1) <= reach[:, None] * (1 + 1e-9))
+        curve, target = part_curve[part], flat[who]
+        lowest, highest = start[part], end[part]
+        middle = (lowest + highest) / 2
         t = self._closest(curve, target, middle, lowest, highest)
         distance = np.linalg.norm(self._at(curve, t) - target, axis=-1)
         order = np.lexsort((t, curve, distance, who))
