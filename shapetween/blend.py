@@ -18,7 +18,7 @@ from shapetween.arrays import Floats
 from shapetween.gradients import common_offsets, in_normal_form, on_offsets, solid_gradient
 from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 
-__all__ = ["blend", "blend_colours", "blend_paints"]
+__all__ = ["blend", "blend_colours", "blend_paints", "faded"]
 
 #: Linear sRGB to the cone responses, and their cube roots to OKLab ([Ott20]_).
 CONES = np.array(
@@ -81,9 +81,9 @@ def blend_paints(a: Paint, b: Paint, t: float) -> Paint:
     if t >= 1:
         return b
     if a is None:
-        return None if b is None else _faded(b, t)
+        return None if b is None else faded(b, t)
     if b is None:
-        return _faded(a, 1 - t)
+        return faded(a, 1 - t)
     if isinstance(a, Colour):
         if isinstance(b, Colour):
             return blend_colours(a, b, t)
@@ -126,7 +126,7 @@ def _from_lab(lab: Floats, alpha: float) -> Colour:
     return Colour(red, green, blue, alpha)
 
 
-def _faded(paint: Colour | Gradient, share: float) -> Colour | Gradient:
+def faded(paint: Colour | Gradient, share: float) -> Colour | Gradient:
     """The same paint with its alpha times `share`."""
     if isinstance(paint, Colour):
         return replace(paint, alpha=paint.alpha * share)
@@ -166,9 +166,9 @@ def _mean_colour(gradient: Gradient) -> Colour:
 
 def _blend_strokes(a: Stroke | None, b: Stroke | None, t: float) -> Stroke | None:
     if a is None:
-        return None if b is None else replace(b, paint=_faded(b.paint, t))
+        return None if b is None else replace(b, paint=faded(b.paint, t))
     if b is None:
-        return replace(a, paint=_faded(a.paint, 1 - t))
+        return replace(a, paint=faded(a.paint, 1 - t))
     paint = blend_paints(a.paint, b.paint, t)
     assert paint is not None  # neither of the two is
     first, second = _equal_dashes(a, b)

@@ -1,0 +1,169 @@
+"""Files read and written whole, or not at all.
+
+What is written appears under its name only when it is complete: it is made in a hidden folder
+beside its place, and renamed. A run that fails half-way leaves what was there before.
+"""
+
+import re
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from shapetween.errors import BudgetError, InputError, OptionError
+
+__all__ = ["MAX_BYTES", "read_bytes", "refuse_inputs", "write_frames", "write_text"]
+
+#: Largest file that is read. Drawings of a few megabytes are rare; a larger limit lets a wrong
+#: file fill the memory.
+MAX_BYTES = 64 * 1024 * 1024
+
+_FRAME = re.compile(r"frame_\d{4,}\.svg")
+
+
+def read_bytes(path: Path, limit: int = MAX_BYTES) -> bytes:
+    """Everything in a file.
+
+    Raises
+    ------
+    InputError
+        If there is no such file, it is a folder, or it may not be read.
+    BudgetError
+        If it is larger than `limit` bytes.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(limit + 1)
+    except OSError as error:
+        raise InputError(str(path), _reason(error)) from error
+    except ValueError as error:  # a null character in the name
+        raise InputError(repr(str(path)), "not the name of a file") from error
+    if len(data) > limit:
+        raise BudgetError(str(path), f"larger than the {limit} bytes that are read")
+    return data
+
+
+def refuse_inputs(output: Path, inputs: Iterable[Path]) -> None:
+    """Check that writing `output` does not overwrite one of the `inputs`.
+
+    Raises
+    ------
+    OptionError
+        If it would.
+    """
+    for path in inputs:
+        same = (
+            output.samefile(path)
+            if output.exists() and path.exists()
+            else output.resolve() == path.resolve()
+        )
+        if same:
+            raise OptionError(f"{output}: is an input; expected another name for the output")
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a text file in UTF-8, replacing the one that was there.
+
+    A symbolic link stays one, and the file it leads to is replaced. A device is written to.
+
+    Raises
+    ------
+    OptionError
+        If the file cannot be written; the old one is then still whole.
+    """
+    with _reported(path):
+        place = path.resolve()
+        if place.is_dir():
+            raise OptionError(f"{path}: is a folder; expected the name of a file")
+        if place.exists() and not place.is_file():
+            place.write_text(text, "utf-8", newline="\n")
+            return
+        with _beside(place) as folder:
+            fresh = folder / place.name
+            fresh.write_text(text, "utf-8", newline="\n")
+            if place.exists():
+                fresh.chmod(place.stat().st_mode & 0o777)
+            fresh.replace(place)
+
+
+def write_frames(folder: Path, frames: Iterable[str]) -> int:
+    """Write ``frame_0000.svg`` and so on into a folder, which is made if it is not there.
+
+    Frames of an earlier run are replaced or removed; other files in the folder stay.
+
+    Parameters
+    ----------
+    folder : Path
+    frames : iterable of str
+        The documents; they may be made while they are written.
+
+    Returns
+    -------
+    int
+        How many were written.
+
+    Raises
+    ------
+    OptionError
+        If they cannot be written; the folder is then as it was before.
+    """
+    with _reported(folder):
+        place = folder.resolve()
+        if place.exists() and not place.is_dir():
+            raise OptionError(f"{folder}: is not a folder; expected one for the frames")
+        with _beside(place) as scratch:
+            fresh, old = scratch / "fresh", scratch / "old"
+            fresh.mkdir()
+            count = 0
+            for count, text in enumerate(frames, start=1):
+                name = f"frame_{count - 1:04}.svg"
+                (fresh / name).write_text(text, "utf-8", newline="\n")
+            if place.exists():
+                old.mkdir()
+                _exchange(fresh, place, old)
+            else:
+                fresh.rename(place)
+    return count
+
+
+def _exchange(fresh: Path, place: Path, old: Path) -> None:
+    """Move frames out of `place` into `old`, and those in `fresh` into it; or nothing at all."""
+    moved: list[tuple[Path, Path]] = []
+    stale = [path for path in place.iterdir() if _FRAME.fullmatch(path.name)]
+    steps = [(path, old / path.name) for path in stale]
+    steps += [(path, place / path.name) for path in sorted(fresh.iterdir())]
+    try:
+        for source, target in steps:
+            source.rename(target)
+            moved.append((source, target))
+    except BaseException:
+        for source, target in reversed(moved):
+            target.rename(source)
+        raise
+
+
+@contextmanager
+def _beside(place: Path) -> Iterator[Path]:
+    """A hidden folder next to `place`, so on the same disk, which is gone afterwards."""
+    if not place.parent.is_dir():
+        raise OptionError(f"{place}: there is no folder {place.parent}")
+    with tempfile.TemporaryDirectory(prefix=f".{place.name[:40]}.", dir=place.parent) as folder:
+        yield Path(folder)
+
+
+@contextmanager
+def _reported(path: Path) -> Iterator[None]:
+    """Errors of the system as one of ours that names the path."""
+    try:
+        yield
+    except OSError as error:
+        raise OptionError(f"{path}: cannot be written: {_reason(error)}") from error
+
+
+def _reason(error: OSError) -> str:
+    """What went wrong, as the system words it, without numbers and paths."""
+    if isinstance(error, FileNotFoundError):
+        return "there is no such file"
+    if isinstance(error, IsADirectoryError):
+        return "is a folder; expected a file"
+    return (error.strerror or "cannot be read").lower()

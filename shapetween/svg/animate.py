@@ -1,0 +1,144 @@
+"""Attributes that change with time, as SMIL ``<animate>`` elements.
+
+A track is what an attribute is at every sample of the clock. It is written only if it changes,
+and only at as many keyframes as it needs.
+"""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index
+from shapetween.frames import keyframes
+from shapetween.svg.numbers import number
+
+__all__ = ["Clock", "Loop", "animate", "animate_choice", "animate_number", "animate_transform"]
+
+Loop: TypeAlias = Literal["once", "repeat", "alternate"]
+
+#: Decimals of a keyframe's time, a share of the whole: finer than a frame of any screen.
+TIME_DECIMALS = 5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clock:
+    """When an animation's samples are shown.
+
+    Attributes
+    ----------
+    times : (S,) float64
+        From 0, the start, to 1, the end of one way.
+    adaptive : bool
+        Whether keyframes are chosen among the samples; else every sample is one.
+    duration : float
+        Seconds one way takes.
+    loop : {"once", "repeat", "alternate"}
+        Stay at the end, start over, or go back and start over.
+    """
+
+    times: Floats
+    adaptive: bool
+    duration: float
+    loop: Loop
+
+    def pick(self, samples: Floats, tolerance: float) -> Index:
+        """Which of the samples (S, K, D) become keyframes."""
+        return keyframes(samples, tolerance) if self.adaptive else np.arange(len(samples))
+
+    def straight(self, times: Floats, values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show each value at its time, way back included, and blend between."""
+        if self.loop == "alternate":
+            times = np.concatenate([times / 2, 1 - times[-2::-1] / 2])
+            values = [*values, *values[-2::-1]]
+        return {"calcMode": "linear", **self._timing(times, values)}
+
+    def jumping(self, jumps: Floats, values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show the first value, and from each of the jumps on the next."""
+        times = np.concatenate([[0.0], jumps])
+        if self.loop == "alternate":
+            times = np.concatenate([times / 2, 1 - jumps[::-1] / 2])
+            values = [*values, *values[-2::-1]]
+        return {"calcMode": "discrete", **self._timing(times, values)}
+
+    def _timing(self, times: Floats, values: Sequence[str]) -> dict[str, str]:
+        ways = 2 if self.loop == "alternate" else 1
+        return {
+            "dur": f"{number(self.duration * ways, 3)}s",
+            **({"fill": "freeze"} if self.loop == "once" else {"repeatCount": "indefinite"}),
+            "keyTimes": ";".join(number(time, TIME_DECIMALS) for time in times.tolist()),
+            "values": ";".join(values),
+        }
+
+
+def animate(
+    element: ET.Element, attribute: str, clock: Clock, picks: Index, values: Sequence[str]
+) -> None:
+    """Let an attribute run through values, straight from each to the next.
+
+    Parameters
+    ----------
+    element : Element
+    attribute : str
+    clock : Clock
+    picks : (M,) intp
+        Samples of the clock at which the values hold.
+    values : sequence of str
+        M of them; nothing is written if they are all the same.
+    """
+    if len(set(values)) > 1:
+        timing = clock.straight(clock.times[picks], values)
+        ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
+
+
+def animate_transform(
+    element: ET.Element,
+    attribute: str,
+    kind: str,
+    clock: Clock,
+    picks: Index,
+    values: Sequence[str],
+) -> None:
+    """Let one step of a transform run through values, after the steps written before it.
+
+    As `animate` does it; but it is always written, because a step replaces the attribute unless
+    an earlier one has.
+    """
+    ET.SubElement(
+        element,
+        "animateTransform",
+        {
+            "attributeName": attribute,
+            "type": kind,
+            **({"additive": "sum"} if element.find("animateTransform") is not None else {}),
+            **clock.straight(clock.times[picks], values),
+        },
+    )
+
+
+def animate_number(
+    element: ET.Element,
+    attribute: str,
+    clock: Clock,
+    track: Floats,
+    tolerance: float,
+    text: Callable[[float], str],
+) -> None:
+    """Let an attribute run through the numbers (S,), each written by `text`."""
+    picks = clock.pick(track[:, None, None], tolerance)
+    animate(element, attribute, clock, picks, [text(value) for value in track[picks].tolist()])
+
+
+def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Sequence[str]) -> None:
+    """Let an attribute jump through values that have nothing between them.
+
+    `track` has one value for each sample; a change falls halfway between two samples.
+    """
+    changes = [k for k in range(1, len(track)) if track[k] != track[k - 1]]
+    if not changes:
+        return
+    before, after = (clock.times[np.array(changes) - shift] for shift in (1, 0))
+    timing = clock.jumping((before + after) / 2, [track[k] for k in [0, *changes]])
+    ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
