@@ -1,0 +1,197 @@
+"""Carrying an outline's own curves along with the mesh nodes that lie on it.
+
+Between two neighbouring nodes the outline is a chord and an offset from it. The chord's ends move
+with the mesh. The offset turns as the chord turns, and is otherwise changed only by the affine
+map that best takes one shape onto the other, so that no thin face and no distant vanishing line
+can throw it outwards. What it is at the start fades into what it is at the end.
+"""
+
+import numpy as np
+
+from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.geometry.bezier import end_tangents
+from shapetween.geometry.polygon import cross
+from shapetween.geometry.rotation import linear_between, polar, rotations
+from shapetween.matched import Pieces
+
+__all__ = ["Carrier", "affine_between"]
+
+#: Joints that turn by less than this at both ends, in radians, are kept smooth on the way.
+SMOOTH_KINK = np.deg2rad(20.0)
+
+#: An excess kink is mended whole up to the first angle, in radians, and left alone from the second
+#: on, where turning the handles would make a loop.
+MENDED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
+
+#: Share of its length that a curve's handles may lie off its chord and the curve count as a line.
+STRAIGHT = 1e-3
+
+#: Greatest ratio of stretches of the affine map that offsets follow; past it the fit between two
+#: unlike shapes says more about their outlines' places than about a common deformation.
+MAX_STRETCH = 3.0
+
+#: Residual of an affine fit, as a share of the target's size, up to which it is taken as exact.
+EXACT_FIT = 1e-3
+
+
+def affine_between(source: Points, target: Points) -> tuple[Floats, Floats]:
+    """Rotation angle and stretch of the affine map that best takes matched points on each other.
+
+    Parameters
+    ----------
+    source, target : (N, 2) float64
+
+    Returns
+    -------
+    angle : () float64
+    stretch : (2, 2) float64
+        Symmetric, positive definite. Where the best affine map turns the plane over, or stretches
+        one way far more than the other without fitting, that of the best similarity.
+    """
+    p, q = source - source.mean(axis=0), target - target.mean(axis=0)
+    linear = np.linalg.lstsq(p, q, rcond=None)[0].T
+    d = np.linalg.svd(linear, compute_uv=False)
+    misfit = np.linalg.norm(p @ linear.T - q) / np.linalg.norm(q)
+    sound = np.linalg.det(linear) > 0 and (d[0] <= MAX_STRETCH * d[1] or misfit < EXACT_FIT)
+    if not sound:
+        dot, turned = float((p * q).sum()), float(cross(p, q).sum())
+        size = np.hypot(dot, turned) / float((p * p).sum())
+        size = size or np.linalg.norm(q) / np.linalg.norm(p)
+        linear = size * rotations(np.asarray(np.arctan2(turned, dot)))
+    return polar(linear)
+
+
+class Carrier:
+    """The curves of one ring, prepared to follow the nodes on it.
+
+    Parameters
+    ----------
+    pieces : Pieces
+        The two outlines, cut at every node.
+    nodes : (n,) float64
+        Places of the nodes in the common parameter, increasing; each starts a piece.
+    source, target : (n, 2) float64
+        The nodes at both ends.
+    """
+
+    def __init__(self, pieces: Pieces, nodes: Floats, source: Points, target: Points) -> None:
+        count = len(nodes)
+        self._pieces = pieces
+        self._span: Index = np.searchsorted(nodes, pieces.w, side="right") - 1
+        self._span = np.where(self._span < 0, count - 1, self._span)
+        self._next = (self._span + 1) % count
+        begin, end = nodes[self._span], np.roll(nodes, -1)[self._span]
+        length = np.where(end > begin, end - begin, end - begin + 1)
+        first = pieces.w - begin
+        first = np.where(first < 0, first + 1, first) / length
+        following = np.roll(first, -1)
+        last = np.where(np.roll(self._span, -1) == self._span, following, 1.0)
+        third = np.linspace(0.0, 1.0, 4)
+        self._share = first[:, None] + (last - first)[:, None] * third  # (P, 4)
+        self._chords = (self._chord(source), self._chord(target))
+        self._offsets = (
+            pieces.source - self._along(source[None])[0],
+            pieces.target - self._along(target[None])[0],
+        )
+        self._angle, self._stretch = affine_between(source, target)
+        self._joints = _Joints.of(pieces)
+
+    def _chord(self, nodes: Points) -> Points:
+        return np.asarray(nodes[..., self._next, :] - nodes[..., self._span, :])
+
+    def _along(self, nodes: Points) -> Points:
+        """Points of the chords at each control point's share of the span, (F, P, 4, 2)."""
+        share = self._share[..., None]
+        start, end = nodes[:, self._span, None], nodes[:, self._next, None]
+        return np.asarray((1 - share) * start + share * end)
+
+    @property
+    def count(self) -> int:
+        """Number of curves."""
+        return len(self._span)
+
+    def curves(self, nodes: Points, t: Floats) -> Curves:
+        """Control points at the times (F,).
+
+        Parameters
+        ----------
+        nodes : (F, n, 2) float64
+            Where the mesh puts the nodes.
+
+        Returns
+        -------
+        (F, P, 4, 2) float64
+            Exactly the pieces' own at 0 and 1.
+        """
+        angle, stretch = np.reshape(self._angle, (1,)), self._stretch[None]
+        general = linear_between(angle, stretch, t)  # (F, 1, 2, 2)
+        back = np.linalg.inv(rotations(angle) @ stretch)
+        chord = self._chord(nodes)  # (F, P, 2)
+        result = self._along(nodes)
+        for linear, rest, offset, weight in (
+            (general, self._chords[0], self._offsets[0], 1 - t),
+            (general @ back, self._chords[1], self._offsets[1], t),
+        ):
+            expected = rest @ np.swapaxes(linear[:, 0], -1, -2)
+            turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))  # (F, P)
+            local = rotations(turned) @ linear  # (F, P, 2, 2)
+            result += weight[:, None, None, None] * (offset @ np.swapaxes(local, -1, -2))
+        self._joints.smooth(result, t)
+        result[t == 0] = self._pieces.source
+        result[t == 1] = self._pieces.target
+        return result
+
+
+class _Joints:
+    """Joints that are smooth at both ends, and what their handles may do to stay so."""
+
+    def __init__(self, index: Index, kinks: Floats, shares: Floats) -> None:
+        self._before, self._after = index
+        self._kinks = kinks
+        self._shares = shares
+
+    @classmethod
+    def of(cls, pieces: Pieces) -> "_Joints":
+        kinks, stiff = [], []
+        for curves in (pieces.source, pieces.target):
+            leaving, reaching = end_tangents(curves)
+            following = np.roll(leaving, -1, axis=0)
+            kinks.append(_angle(reaching, following))
+            stiff.append(_straight(curves))
+        before = np.flatnonzero((np.abs(np.stack(kinks)) < SMOOTH_KINK).all(axis=0))
+        after = (before + 1) % len(pieces.source)
+        line = stiff[0] & stiff[1]
+        # A side that is straight at both ends stays so: the handle across the joint does it all.
+        free = np.stack([~line[before], ~line[after]]).astype(np.float64)
+        shares = free / np.maximum(free.sum(axis=0), 1)
+        return cls(np.stack([before, after]), np.stack(kinks)[:, before], shares)
+
+    def smooth(self, curves: Curves, t: Floats) -> None:
+        """Turn handles about their joints, in place, until the kink is the ends' own mean."""
+        if not len(self._before):
+            return
+        reaching = end_tangents(curves[:, self._before])[1]
+        leaving = end_tangents(curves[:, self._after])[0]
+        wanted = (1 - t)[:, None] * self._kinks[0] + t[:, None] * self._kinks[1]
+        excess = _angle(reaching, leaving) - wanted
+        fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - MENDED), 0.0, 1.0)
+        excess = excess * fade * fade * (3 - 2 * fade)
+        for piece, end, handle, share in (
+            (self._before, 3, 2, self._shares[0]),
+            (self._after, 0, 1, -self._shares[1]),
+        ):
+            pivot = curves[:, piece, end]
+            arm = curves[:, piece, handle] - pivot
+            turned = rotations(share * excess) @ arm[..., None]
+            curves[:, piece, handle] = pivot + turned[..., 0]
+
+
+def _angle(first: Points, second: Points) -> Floats:
+    return np.asarray(np.arctan2(cross(first, second), (first * second).sum(-1)))
+
+
+def _straight(curves: Curves) -> Index:
+    """Which curves are straight lines, (P,)."""
+    chord = curves[:, 3] - curves[:, 0]
+    off = np.abs(cross(curves[:, 1:3] - curves[:, :1], chord[:, None])).max(axis=1)
+    return np.asarray(off <= STRAIGHT * (chord**2).sum(-1))

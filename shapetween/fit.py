@@ -1,0 +1,49 @@
+"""Bringing the second drawing into the first one's frame.
+
+.. [SVG2] *Scalable Vector Graphics 2*, section 8.6, preserveAspectRatio.
+"""
+
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from shapetween.arrays import Affine
+from shapetween.drawing import Box, Drawing
+
+__all__ = ["FITS", "Fit", "fit_matrix"]
+
+Fit: TypeAlias = Literal["view", "geometry", "none"]
+"""What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
+
+FITS: tuple[Fit, ...] = ("view", "geometry", "none")
+
+
+def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
+    """Map from the target's user units to the source's.
+
+    Returns
+    -------
+    (2, 3) float64
+        Scaled evenly, and centred, as ``xMidYMid meet`` asks ([SVG2]_).
+    """
+    if fit == "none":
+        return np.eye(2, 3)
+    if fit == "geometry":
+        inner, outer = _drawn_box(target), _drawn_box(source)
+    else:
+        inner, outer = target.box, source.box
+    ratios = [
+        wide / narrow
+        for wide, narrow in ((outer.width, inner.width), (outer.height, inner.height))
+        if narrow > 0
+    ]
+    scale = min(ratios, default=1.0)
+    x = outer.x + outer.width / 2 - scale * (inner.x + inner.width / 2)
+    y = outer.y + outer.height / 2 - scale * (inner.y + inner.height / 2)
+    return np.array([[scale, 0.0, x], [0.0, scale, y]])
+
+
+def _drawn_box(drawing: Drawing) -> Box:
+    boxes = np.array([ring.box for shape in drawing.shapes for ring in shape.rings])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    return Box(*low.tolist(), *(high - low).tolist())

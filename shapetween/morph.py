@@ -1,0 +1,146 @@
+"""The library's front door: two files in, a movement that can be asked for frames or written."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+
+from shapetween import files, report
+from shapetween.drawing import Drawing
+from shapetween.errors import OptionError
+from shapetween.frames import even_times
+from shapetween.fit import Fit
+from shapetween.mesh import MeshPair
+from shapetween.observe import Observer, unobserved
+from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.svg.read import read_svg
+
+__all__ = ["Morph", "morph"]
+
+Source: TypeAlias = str | PathLike[str] | Drawing
+Pin: TypeAlias = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Morph:
+    """A prepared movement between two drawings.
+
+    Attributes
+    ----------
+    prepared : Prepared
+        The movement, with the matching and meshes behind it.
+    method : str
+    """
+
+    prepared: Prepared
+    method: str
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was lost or is doubtful, one line each."""
+        return self.prepared.warnings
+
+    def at(self, t: float) -> Drawing:
+        """The drawing at one time from 0 to 1."""
+        if not 0 <= t <= 1:
+            raise OptionError(f"t: {t} is not from 0 to 1")
+        return self.prepared.movement.at(np.array([float(t)]))[0]
+
+    def frames(self, count: int) -> list[Drawing]:
+        """Drawings at `count` even times, the first and last of them the two ends."""
+        return list(self.prepared.movement.at(even_times(count)))
+
+    def svg(
+        self,
+        *,
+        duration: float = 2.0,
+        easing: str = "ease-in-out",
+        loop: Literal["once", "repeat", "alternate"] = "once",
+        keyframes: int | Literal["auto"] = "auto",
+        precision: int | None = None,
+    ) -> str:
+        """The movement as the text of one animated SVG."""
+        from shapetween.svg.smil import smil_svg
+
+        return smil_svg(
+            self.prepared.movement,
+            duration=duration,
+            easing=easing,
+            loop=loop,
+            keyframes=keyframes,
+            precision=precision,
+        )
+
+    def write(self, path: str | PathLike[str], **settings: Any) -> None:
+        """Write the movement as one animated SVG; `settings` are those of `svg`."""
+        files.write_text(Path(path), self.svg(**settings))
+
+    def report(self, seconds: Mapping[str, float] | None = None) -> dict[str, Any]:
+        """How the movement was found and what is known of its quality, ready for JSON."""
+        return report.build(self.prepared, self.method, seconds or {})
+
+    def _repr_html_(self) -> str:
+        """Show the movement in a notebook."""
+        return self.svg(loop="alternate")
+
+
+def morph(
+    a: Source,
+    b: Source,
+    *,
+    method: str = "projective",
+    quads: int | None = None,
+    pins: Iterable[Pin] = (),
+    mesh: MeshPair | Mapping[str, MeshPair] | None = None,
+    fit: Fit = "view",
+    observe: Observer = unobserved,
+) -> Morph:
+    """Prepare the movement between two drawings.
+
+    Parameters
+    ----------
+    a, b : path or Drawing
+        SVG files, or drawings already read.
+    method : str
+        "projective", or another of `shapetween.interpolate.METHODS`.
+    quads : int, optional
+        About how many quads; as few as the shapes need if left out.
+    pins : iterable of (ax, ay, bx, by)
+        Points that belong together, each in its own drawing's user units.
+    mesh : MeshPair, or mapping of shape names to MeshPair, optional
+        Meshes to use instead of found ones.
+    fit : {"view", "geometry", "none"}
+        How `b` is brought into the frame of `a`: view box into view box, drawn box into drawn
+        box, or not at all.
+    observe : Observer, optional
+        Told of every stage as it begins and ends.
+
+    Raises
+    ------
+    ShapetweenError
+        If a file cannot be read or an option does not fit; its text is one line.
+    """
+    options = Options(
+        method=method,
+        quads=quads,
+        pins=tuple((float(p[0]), float(p[1]), float(p[2]), float(p[3])) for p in pins),
+        meshes={"": mesh} if isinstance(mesh, MeshPair) else dict(mesh or {}),
+        fit=fit,
+    )
+    with observe("read"):
+        drawings = [item if isinstance(item, Drawing) else _read(item) for item in (a, b)]
+    names = [
+        default if isinstance(item, Drawing) else str(item)
+        for item, default in ((a, "first drawing"), (b, "second drawing"))
+    ]
+    prepared = prepare(
+        drawings[0], drawings[1], options, names=(names[0], names[1]), observe=observe
+    )
+    return Morph(prepared, method)
+
+
+def _read(path: str | PathLike[str]) -> Drawing:
+    return read_svg(files.read_bytes(Path(path)), str(path))

@@ -1,0 +1,78 @@
+"""What a movement is known to be worth, as plain values for JSON."""
+
+from collections.abc import Mapping
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from shapetween.geometry.homography import homogeneous_weights, quad_homographies
+from shapetween.geometry.polygon import corner_sines
+from shapetween.mesh import MeshPair
+from shapetween.pipeline import Prepared, ShapeMorph
+
+__all__ = ["build", "mesh_figures"]
+
+#: Times at which a movement is looked at for crossings.
+CHECKED = 81
+
+
+def build(prepared: Prepared, method: str, seconds: Mapping[str, float]) -> dict[str, Any]:
+    """Everything known of a movement.
+
+    Parameters
+    ----------
+    prepared : Prepared
+    method : str
+    seconds : mapping of str to float
+        Time spent in each stage.
+    """
+    try:
+        number = version("shapetween")
+    except PackageNotFoundError:  # run from a checkout that was never installed
+        number = "unknown"
+    return {
+        "version": number,
+        "method": method,
+        "rings": [_ring(shape) for shape in prepared.shapes],
+        "seconds": {stage: round(value, 4) for stage, value in seconds.items()},
+        "warnings": list(prepared.warnings),
+    }
+
+
+def _ring(shape: ShapeMorph) -> dict[str, Any]:
+    mesh = shape.ring.mesh
+    matching = mesh.matching
+    return {
+        "name": shape.name,
+        **mesh_figures(mesh.pair),
+        "found": mesh.found,
+        "curves": shape.ring.carrier.count,
+        "matching": {
+            "cost": _number(matching.cost),
+            "runner_up": _number(matching.runner_up),
+            "confidence": matching.confidence,
+        },
+    }
+
+
+def mesh_figures(pair: MeshPair) -> dict[str, Any]:
+    """Counts and quality of a mesh: least corner sine of both ends, largest ratio of w."""
+    faces = [f for f in (pair.quads, pair.triangles) if len(f)]
+    sines = [corner_sines(points[f]).min() for f in faces for points in (pair.source, pair.target)]
+    ratio = 1.0
+    if len(pair.quads):
+        source, target = pair.source[pair.quads], pair.target[pair.quads]
+        weights = homogeneous_weights(quad_homographies(source, target), source)
+        ratio = float((weights.max(axis=1) / weights.min(axis=1)).max())
+    return {
+        "quads": len(pair.quads),
+        "triangles": len(pair.triangles),
+        "least_corner_sine": round(float(np.min(sines)), 6),
+        "largest_w_ratio": round(ratio, 6),
+    }
+
+
+def _number(value: float) -> float | None:
+    """A number that JSON has; None for an infinite one."""
+    return round(float(value), 6) if np.isfinite(value) else None

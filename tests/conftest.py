@@ -1,0 +1,22 @@
+"""Hypothesis profiles, and the corpus of real files where there is one."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+settings.register_profile(
+    "ci", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("deep", max_examples=2000, deadline=None)
+settings.load_profile("ci")
+
+CORPUS = Path(__file__).resolve().parents[2] / "shared" / "corpus"
+
+
+@pytest.fixture(scope="session")
+def corpus() -> Path:
+    """Folder of real drawings, with a list of pairs; it is no part of the repository."""
+    if not (CORPUS / "pairs.json").is_file():
+        pytest.skip("no corpus of real drawings beside the repository")
+    return CORPUS
