@@ -1,0 +1,138 @@
+"""What an outline looks like from each of its points: turning, thickness, surroundings."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Points
+from shapetween.correspond.sampling import SAMPLES
+from shapetween.geometry.polygon import cross
+
+__all__ = ["TURN_WINDOWS", "Features", "describe"]
+
+#: Half-widths of the windows the turning is measured in, as shares of the length.
+TURN_WINDOWS = (1 / 96, 1 / 48, 1 / 24, 1 / 12, 1 / 6)
+
+#: Largest medial radius worth telling from infinity, in roots of the area.
+MAX_RADIUS = 3.0
+
+#: Share of the station measure that follows the bends, the rest being even. More starves long
+#: plain sides of stations, less leaves corners to chance.
+BEND_SHARE = 0.6
+
+#: Rings and sectors of a shape context, and its least and greatest radius in mean distances.
+RINGS, SECTORS, NEAREST, FARTHEST = 5, 12, 1 / 8, 2.0
+
+#: Every how many-th sample is seen in a context.
+SEEN_STEP = SAMPLES // 96
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Features:
+    """Read at every sample of one outline, all independent of its unit and place.
+
+    Attributes
+    ----------
+    turns : (5, N) float64
+        Signed turn between the chords over each of `TURN_WINDOWS` before and after.
+    tangents : (N, 2) float64
+        Unit vectors.
+    inside, outside : (N,) float64
+        Radius of the largest disc that touches the outline here on that side, in roots of the
+        area, at most `MAX_RADIUS`.
+    opposite : (N,) intp
+        The sample that the inner disc touches as well.
+    measure : (N + 1,) float64
+        From 0 to 1: stations are set at equal steps of it, closer where the outline bends.
+    """
+
+    turns: Floats
+    tangents: Points
+    inside: Floats
+    outside: Floats
+    opposite: Index
+    measure: Floats
+
+
+def describe(points: Points) -> Features:
+    """Features of evenly spaced points of a closed outline of area 1."""
+    count = len(points)
+    turns = np.stack([_turning(points, round(share * count)) for share in TURN_WINDOWS])
+    tangents = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
+    size = np.linalg.norm(tangents, axis=1, keepdims=True)
+    tangents = tangents / np.where(size > 0, size, 1.0)
+    inside, opposite = _touching_disc(points, tangents, side=1.0)
+    outside, _ = _touching_disc(points, tangents, side=-1.0)
+    bend = np.abs(turns[1:3]).mean(axis=0)
+    density = (1 - BEND_SHARE) / count + BEND_SHARE * bend / bend.sum()
+    # Trapezoids, so that the measure is as smooth as the density.
+    steps = (density + np.roll(density, -1)) / 2
+    measure = np.concatenate([[0.0], np.cumsum(steps)])
+    return Features(turns, tangents, inside, outside, opposite, measure / measure[-1])
+
+
+def contexts(points: Points, seen: Points, axes: Points) -> Floats:
+    """Histograms of the surroundings of points, square-rooted.
+
+    Parameters
+    ----------
+    points : (n, 2) float64
+    seen : (m, 2) float64
+        What is counted.
+    axes : (n, 2) or (2,) float64
+        Unit vector of angle 0 at each point.
+
+    Returns
+    -------
+    (n, RINGS * SECTORS) float64
+        Unit vectors, so that their products are the histograms' likeness (Hellinger).
+
+    Notes
+    -----
+    Shape contexts (Belongie, Malik, Puzicha 2002) over log radius and angle, with votes shared
+    bilinearly between neighbouring bins.
+    """
+    offset = seen - points[:, None]
+    x = offset[..., 0] * axes[..., None, 0] + offset[..., 1] * axes[..., None, 1]
+    y = cross(axes[..., None, :], offset)
+    distance = np.hypot(x, y)
+    radius = distance / distance.mean()
+    low = np.log(NEAREST)
+    ring = (np.log(np.maximum(radius, 1e-6)) - low) / (np.log(FARTHEST) - low) * (RINGS - 1)
+    sector = np.arctan2(y, x) * (SECTORS / (2 * np.pi)) % SECTORS
+    # A point does not see itself, nor what lies beyond the rings.
+    weight = (radius > 1e-6) & (ring > -1) & (ring < RINGS)
+    r0, s0 = np.floor(ring), np.floor(sector)
+    row = np.arange(len(points))[:, None] * ((RINGS + 2) * SECTORS)
+    votes = np.zeros(len(points) * (RINGS + 2) * SECTORS)
+    for dr, wr in ((0, r0 + 1 - ring), (1, ring - r0)):
+        for ds, ws in ((0, s0 + 1 - sector), (1, sector - s0)):
+            # One spare ring on either side takes the votes that fall outside.
+            where = np.clip(r0 + dr + 1, 0, RINGS + 1) * SECTORS + (s0 + ds) % SECTORS
+            votes += np.bincount(
+                (row + where.astype(np.intp)).ravel(), (weight * wr * ws).ravel(), len(votes)
+            )
+    kept = votes.reshape(len(points), RINGS + 2, SECTORS)[:, 1:-1].reshape(len(points), -1)
+    return np.asarray(np.sqrt(kept / kept.sum(axis=1, keepdims=True)))
+
+
+def _turning(points: Points, reach: int) -> Floats:
+    """Signed angle between the chords of `reach` samples before and after each point."""
+    before = points - np.roll(points, reach, axis=0)
+    after = np.roll(points, -reach, axis=0) - points
+    return np.asarray(np.arctan2(cross(before, after), (before * after).sum(-1)))
+
+
+def _touching_disc(points: Points, tangents: Points, side: float) -> tuple[Floats, Index]:
+    """Radius of the largest empty disc touching at each point, and the other sample it touches."""
+    count = len(points)
+    normals = side * np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+    offset = points - points[:, None]
+    height = np.einsum("ijk,ik->ij", offset, normals)
+    square = (offset**2).sum(-1)
+    gap = np.abs(np.arange(count) - np.arange(count)[:, None])
+    near = np.minimum(gap, count - gap) <= 2
+    seen = (height > 1e-9) & ~near
+    radius = np.where(seen, square / np.where(seen, 2 * height, 1.0), np.inf)
+    other = radius.argmin(axis=1)
+    return np.minimum(radius[np.arange(count), other], MAX_RADIUS), other
