@@ -1,1 +1,5 @@
-"""Splitting two matched outlines into one mesh of quads with two sets of vertices."""
+"""Two matched outlines -> one mesh of quads over both."""
+
+from shapetween.meshing.matched import MatchedMesh, mesh_matched
+
+__all__ = ["MatchedMesh", "mesh_matched"]

@@ -1,0 +1,147 @@
+"""Samples of two matched contours that may become nodes of their mesh.
+
+.. [DP73] D. Douglas, T. Peucker, "Algorithms for the reduction of the number of points required to
+   represent a digitized line", Cartographica 10(2), 1973.
+"""
+
+import heapq
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Mask, Points
+from shapetween.geometry.polygon import cross
+
+__all__ = ["candidate_nodes", "far_sample", "simplified"]
+
+#: Share of the candidates that outline the shapes; the rest face them across limbs. More, and
+#: limbs have no ribs to become ladders with; fewer, and bends are cut short.
+OUTLINING = 0.62
+
+#: How much further from its chord a corner counts than any other sample, so that nodes settle on
+#: corners; much larger, and small corners win over large curves.
+CORNER_BONUS = 1.25
+
+#: Nearest a foot may come to another candidate, in mean distances between candidates. Smaller,
+#: and feet crowd where candidates are already; larger, and thin limbs lose their ribs.
+FOOT_CLEARANCE = 0.45
+
+
+def far_sample(points: Points) -> int:
+    """Sample furthest from the middle in both contours together: a place both can agree on.
+
+    It does not depend on where the samples start, nor on the turn of either contour.
+    """
+    step = np.sqrt(((np.roll(points, -1, axis=1) - points) ** 2).sum(-1))
+    weight = step + np.roll(step, 1, axis=1)
+    middle = (points * weight[..., None]).sum(axis=1) / weight.sum(axis=1)[:, None]
+    return int(np.argmax(((points - middle[:, None]) ** 2).sum(axis=(0, -1))))
+
+
+def _off_chord(curve: Points, first: int, last: int) -> Floats:
+    """Distance of samples strictly between two samples to the segment that joins these."""
+    count = len(curve)
+    inner = curve[np.arange(first + 1, last) % count]
+    start, along = curve[first % count], curve[last % count] - curve[first % count]
+    size = along @ along
+    share = np.clip((inner - start) @ along / size, 0, 1) if size > 0 else np.zeros(len(inner))
+    return np.asarray(np.sqrt(((inner - start - share[:, None] * along) ** 2).sum(-1)))
+
+
+def simplified(points: Points, corners: Mask, count: int) -> Index:
+    """Up to `count` samples that outline both contours best, furthest first [DP73]_.
+
+    The matched pair is one closed curve in four dimensions, and simplified as one.
+
+    Parameters
+    ----------
+    points : (2, N, 2) float64
+    corners : (N,) bool
+        Samples to prefer.
+    count : int
+        At least 3.
+
+    Returns
+    -------
+    (M,) intp
+        The sample of `far_sample` first; M is `count` unless there are fewer samples.
+    """
+    total = points.shape[1]
+    curve = np.concatenate([points[0], points[1]], axis=-1)
+    bonus = np.where(corners, CORNER_BONUS, 1.0)
+    start = far_sample(points)
+    chosen = [start]
+    heap: list[tuple[float, int, int, int]] = []
+
+    def push(first: int, last: int) -> None:
+        if last - first > 1:
+            score = _off_chord(curve, first, last) * bonus[np.arange(first + 1, last) % total]
+            best = int(np.argmax(score))
+            heapq.heappush(heap, (-float(score[best]), first, first + 1 + best, last))
+
+    push(start, start + total)
+    while heap and len(chosen) < count:
+        _, first, middle, last = heapq.heappop(heap)
+        chosen.append(middle % total)
+        push(first, middle)
+        push(middle, last)
+    return np.array(chosen, dtype=np.intp)
+
+
+def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
+    """Where the largest disc that touches a contour at a node, inside, touches it again.
+
+    Parameters
+    ----------
+    points : (2, N, 2) float64
+    nodes : (n,) intp
+
+    Returns
+    -------
+    feet : (2, n) intp
+        Samples, in each contour.
+    radii : (2, n) float64
+        The discs' radii.
+    """
+    tangent = np.roll(points, -1, axis=1) - np.roll(points, 1, axis=1)
+    tangent = tangent[:, nodes]
+    size = np.sqrt((tangent**2).sum(-1))
+    tangent = tangent / np.where(size > 0, size, 1.0)[..., None]
+    reach = points[:, None] - points[:, nodes, None]  # (2, n, N, 2)
+    inward = cross(tangent[:, :, None], reach)
+    square = (reach**2).sum(-1)
+    ahead = inward > 1e-6 * np.sqrt(square)
+    radii = np.where(ahead, square / np.where(ahead, 2 * inward, 1.0), np.inf)
+    around = (nodes[:, None] + np.arange(-2, 3)) % points.shape[1]
+    np.put_along_axis(radii, np.broadcast_to(around, (2, *around.shape)), np.inf, axis=2)
+    feet = radii.argmin(axis=2)
+    return feet, np.take_along_axis(radii, feet[..., None], axis=2)[..., 0]
+
+
+def candidate_nodes(points: Points, corners: Mask, count: int) -> Index:
+    """Up to `count` samples that outline the contours, and then samples across limbs from them.
+
+    Parameters
+    ----------
+    points : (2, N, 2) float64
+        Matched contours of area 1, clockwise as drawn.
+    corners : (N,) bool
+    count : int
+
+    Returns
+    -------
+    (M,) intp
+        Most important first.
+    """
+    total = points.shape[1]
+    nodes = simplified(points, corners, max(4, round(OUTLINING * count)))
+    feet, radii = opposite_feet(points, nodes)
+    clearance = FOOT_CLEARANCE * total / count
+    taken = nodes.tolist()
+    thinnest_first = np.argsort(radii, axis=None, kind="stable")
+    for foot in feet.ravel()[thinnest_first].tolist():
+        apart = np.abs(np.array(taken) - foot)
+        if np.minimum(apart, total - apart).min() > clearance:
+            taken.append(foot)
+        if len(taken) >= count:
+            break
+    return np.array(taken, dtype=np.intp)
