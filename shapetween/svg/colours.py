@@ -1,0 +1,115 @@
+"""Paint values as text to values: colours, ``none``, references with a fallback.
+
+.. [Col4] *CSS Color Module Level 4*.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import tinycss2
+import tinycss2.color4
+
+from shapetween.paint import Colour
+
+__all__ = ["CURRENT", "PaintValue", "parse_paint"]
+
+CURRENT = "currentcolor"
+
+#: The context's own paint, which only markers have and this reader does not draw.
+_CONTEXT = frozenset({"context-fill", "context-stroke"})
+
+#: Linear sRGB from XYZ under D65, and under D50 after Bradford adaptation ([Col4]_, section 18).
+_FROM_XYZ = {
+    "xyz-d65": np.array(
+        [
+            [3.2409699419045226, -1.537383177570094, -0.4986107602930034],
+            [-0.9692436362808796, 1.8759675015077202, 0.04155505740717559],
+            [0.05563007969699366, -0.20397695888897652, 1.0569715142428786],
+        ]
+    ),
+    "xyz-d50": np.array(
+        [
+            [3.1341359569958707, -1.6173863321612538, -0.4906619460083532],
+            [-0.978795502912089, 1.9162543773958770, 0.03344273116131949],
+            [0.07195537988411677, -0.2289768264158322, 1.405386058324125],
+        ]
+    ),
+}
+_WITH_XYZ = {"lab": "xyz-d50", "lch": "xyz-d50", "oklab": "xyz-d65", "oklch": "xyz-d65"}
+
+
+@dataclass(frozen=True, slots=True)
+class PaintValue:
+    """A ``fill`` or ``stroke``, as written.
+
+    Attributes
+    ----------
+    colour : Colour or "currentcolor" or None
+        None for ``none``. With a reference, what is painted if it leads nowhere.
+    reference : str
+        Id of a gradient or pattern, else empty.
+    """
+
+    colour: Colour | str | None
+    reference: str = ""
+
+
+@lru_cache(maxsize=1024)
+def parse_paint(text: str) -> PaintValue | None:
+    """Parse a paint or a colour; None if it is neither.
+
+    What follows a colour, as in ``#fff icc-color(...)``, is passed over.
+    """
+    tokens = [
+        token
+        for token in tinycss2.parse_component_value_list(text, skip_comments=True)
+        if token.type != "whitespace"
+    ]
+    if not tokens:
+        return None
+    reference = reference_of(tokens[0])
+    if reference is not None:
+        fallback = _colour(tokens[1]) if len(tokens) > 1 else None
+        return PaintValue(None if fallback == "invalid" else fallback, reference)
+    colour = _colour(tokens[0])
+    return None if colour == "invalid" else PaintValue(colour)
+
+
+def reference_of(token: Any) -> str | None:
+    """The id in a ``url(#id)`` token, empty if it points outside; None for other tokens."""
+    if token.type == "url":
+        address = token.value
+    elif token.type == "function" and token.lower_name == "url":
+        address = "".join(part.value for part in token.arguments if part.type == "string")
+    else:
+        return None
+    address = address.strip()
+    return address[1:] if address.startswith("#") else ""
+
+
+def _colour(token: Any) -> Colour | str | None:
+    """A colour, ``currentcolor``, None for ``none``, or ``invalid``."""
+    if token.type == "ident" and token.lower_value in {"none", *_CONTEXT}:
+        return None
+    try:
+        colour = tinycss2.color4.parse_color(token)
+        if colour is None or colour == CURRENT:
+            return colour or "invalid"
+        return _srgb(colour)
+    except (NotImplementedError, ValueError, TypeError, IndexError, AttributeError):
+        return "invalid"  # tinycss2 trips over some malformed colour functions
+
+
+def _srgb(colour: Any) -> Colour:
+    if colour.space in _WITH_XYZ:
+        space = _WITH_XYZ[colour.space]
+        linear = _FROM_XYZ[space] @ np.array(colour.to(space).coordinates)
+        size = np.abs(linear)
+        encoded = np.where(size > 0.0031308, 1.055 * size ** (1 / 2.4) - 0.055, 12.92 * size)
+        components = (np.sign(linear) * encoded).tolist()
+    else:
+        components = colour.to("srgb").coordinates
+    red, green, blue = (min(1.0, max(0.0, component)) for component in components)
+    return Colour(red, green, blue, colour.alpha)

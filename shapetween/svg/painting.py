@@ -1,0 +1,140 @@
+"""Properties of a shape to the values it is painted with."""
+
+from collections.abc import Sequence
+from typing import Literal, cast
+
+from shapetween.geometry.bezier import curve_lengths
+from shapetween.paint import Colour, FillRule, Paint, Stroke, Style
+from shapetween.svg.colours import CURRENT, parse_paint
+from shapetween.svg.document import Document
+from shapetween.svg.gradients import GRADIENTS, colour_of, gradient, with_alpha
+from shapetween.svg.pathdata import Subpath
+from shapetween.svg.rings import bounds
+from shapetween.svg.style import Properties
+from shapetween.svg.transform import mean_scale, stretch
+from shapetween.svg.units import number
+from shapetween.svg.walk import Frame
+from shapetween.svg.xml import local_name
+
+__all__ = ["fill_rule", "style_of"]
+
+#: Greatest over least scale up to which a stroke keeps its one width without a warning; more shows.
+MOST_STRETCH = 1.05
+
+#: Most numbers of a dash pattern that are read; drawings have a handful.
+MOST_DASHES = 1000
+
+#: What stands for a pattern, which is neither a colour nor a gradient.
+PATTERN_GREY = Colour(0.5, 0.5, 0.5)
+
+
+def style_of(
+    document: Document, frame: Frame, subpaths: Sequence[Subpath], path_length: float | None
+) -> Style:
+    """How a shape is painted, in the drawing's user units.
+
+    Parameters
+    ----------
+    document : Document
+    frame : Frame
+        The shape's own.
+    subpaths : sequence of Subpath
+        Its geometry in local coordinates.
+    path_length : float or None
+        Its ``pathLength``, the unit of its dashes.
+    """
+    properties = frame.properties
+    return Style(
+        fill=_paint(document, "fill", "black", frame, subpaths),
+        stroke=_stroke(document, frame, subpaths, path_length),
+        opacity=frame.opacity,
+        fill_rule=fill_rule(properties, "fill-rule"),
+    )
+
+
+def fill_rule(properties: Properties, name: str) -> FillRule:
+    """``fill-rule`` or ``clip-rule``."""
+    return "evenodd" if properties.get(name, "").lower() == "evenodd" else "nonzero"
+
+
+def _paint(
+    document: Document, name: str, default: str, frame: Frame, subpaths: Sequence[Subpath]
+) -> Paint:
+    properties = frame.properties
+    value = parse_paint(properties.get(name, default))
+    opacity = number(properties.get(f"{name}-opacity"))
+    alpha = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
+    if value is None or alpha == 0:
+        return None
+    if value.reference:
+        server = document.ids.get(value.reference)
+        kind = "" if server is None else local_name(server)
+        if server is not None and kind in GRADIENTS:
+            paint = gradient(
+                document, server, bounds(subpaths), frame.matrix, frame.viewport, alpha
+            )
+            return None if isinstance(paint, Colour) and paint.alpha == 0 else paint
+        if kind == "pattern":
+            document.losses.add("a pattern was replaced by a plain colour")
+            return with_alpha(PATTERN_GREY, alpha)
+        if value.colour is None:
+            document.losses.add(f"a {name} names no gradient in this file and was left out")
+    colour = colour_of(properties, "color") if value.colour == CURRENT else value.colour
+    if not isinstance(colour, Colour) or colour.alpha == 0:
+        return None
+    return with_alpha(colour, alpha)
+
+
+def _stroke(
+    document: Document, frame: Frame, subpaths: Sequence[Subpath], path_length: float | None
+) -> Stroke | None:
+    paint = _paint(document, "stroke", "none", frame, subpaths)
+    if paint is None:
+        return None
+    properties = frame.properties
+    viewport = frame.viewport
+    width = viewport.length(properties.get("stroke-width", "1"), viewport.diagonal)
+    width = 1.0 if width is None or width < 0 else width
+    if width == 0:
+        return None
+    if properties.get("vector-effect") == "non-scaling-stroke":
+        scale = frame.pixel
+    else:
+        scale = mean_scale(frame.matrix)
+        if stretch(frame.matrix) > MOST_STRETCH:
+            document.losses.add("a stroke under an uneven scale was given its mean width")
+    cap = properties.get("stroke-linecap", "butt")
+    join = properties.get("stroke-linejoin", "miter")
+    limit = number(properties.get("stroke-miterlimit"))
+    dashes = _dashes(frame)
+    dash_unit = scale
+    if dashes and path_length is not None and path_length > 0:
+        drawn = sum(float(curve_lengths(subpath.curves).sum()) for subpath in subpaths)
+        dash_unit *= drawn / path_length
+    offset = viewport.length(properties.get("stroke-dashoffset"), viewport.diagonal) or 0.0
+    return Stroke(
+        paint=paint,
+        width=width * scale,
+        cap=cast(Literal["butt", "round", "square"], cap) if cap in ("round", "square") else "butt",
+        join=cast(Literal["round", "bevel"], join) if join in ("round", "bevel") else "miter",
+        miter_limit=4.0 if limit is None or limit < 1 else limit,
+        dashes=tuple(dash * dash_unit for dash in dashes),
+        dash_offset=offset * dash_unit,
+    )
+
+
+def _dashes(frame: Frame) -> tuple[float, ...]:
+    """The dash pattern in local units, of even count; empty for a solid line."""
+    text = frame.properties.get("stroke-dasharray", "none")
+    if text == "none":
+        return ()
+    viewport = frame.viewport
+    dashes = []
+    for word in text.replace(",", " ").split()[:MOST_DASHES]:
+        dash = viewport.length(word, viewport.diagonal)
+        if dash is None or dash < 0:
+            return ()
+        dashes.append(dash)
+    if not sum(dashes):
+        return ()
+    return tuple(dashes * 2 if len(dashes) % 2 else dashes)

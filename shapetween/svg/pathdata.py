@@ -1,0 +1,314 @@
+"""Path data (the ``d`` attribute) to cubic Bezier curves.
+
+One pass of regular expressions cuts the data into runs of one command with its numbers, and finds
+where it stops being path data: browsers draw what comes before that place, and so does this
+reader. Subpaths of plain lines and cubics, which maps and most icons consist of, then become
+arrays at once; every other subpath is parsed by svgpathtools, which is imported only then.
+
+.. [SVG2] *Scalable Vector Graphics 2*, chapter 9 and appendix B.2.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice, takewhile
+
+import numpy as np
+
+from shapetween.arrays import Curves, Points
+from shapetween.geometry.bezier import line_curves
+from shapetween.svg.arcs import arc_curves
+from shapetween.svg.transform import NUMBER
+from shapetween.svg.units import GREATEST
+
+__all__ = ["PathData", "Subpath", "parse_path_data"]
+
+_GAP = r"[\s,]*"
+_FLAG = r"[01]"
+_KINDS = {  # the arguments of each command: numbers n and flags f
+    "M": "nn",
+    "L": "nn",
+    "T": "nn",
+    "H": "n",
+    "V": "n",
+    "C": "nnnnnn",
+    "S": "nnnn",
+    "Q": "nnnn",
+    "A": "nnnffnn",
+    "Z": "",
+}
+_COMMAND = re.compile(r"[\s,]*([MmLlHhVvCcSsQqTtAaZz])\s*", re.ASCII)
+_NUMBER = re.compile(NUMBER, re.ASCII)
+
+
+def _group(kinds: str) -> str:
+    return _GAP.join(NUMBER if kind == "n" else _FLAG for kind in kinds)
+
+
+def _run(letter: str, kinds: str) -> re.Pattern[str]:
+    """All sets of arguments that follow a command, and the same command again with more of them.
+
+    Atomic, so that no number is cut in two to make one more set.
+    """
+    again = "" if letter in "Mm" else rf"(?:{letter}\s*)?"
+    return re.compile(f"(?>{_group(kinds)})(?:{_GAP}{again}(?>{_group(kinds)}))*+{_GAP}", re.ASCII)
+
+
+_RUNS = {
+    letter: _run(letter, kinds)
+    for upper, kinds in _KINDS.items()
+    for letter in (upper, upper.lower())
+    if kinds
+}
+#: One set of an arc's arguments, each caught by itself: flags may be packed without gaps.
+_ARC = re.compile(
+    _GAP.join(f"({NUMBER})" if kind == "n" else f"({_FLAG})" for kind in _KINDS["A"]), re.ASCII
+)
+_PLAIN = frozenset("LHVC")
+
+_Point = tuple[float, float]
+_Arguments = list[tuple[float, ...]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Subpath:
+    """Curves that follow one another, from one moveto to the next.
+
+    Attributes
+    ----------
+    curves : (N, 4, 2) float64
+        N is 0 when a lone point is closed.
+    start : (2,) float64
+    closed : bool
+        Whether a closepath ends it. The line that closes it is among the curves, unless it would
+        have no length.
+    """
+
+    curves: Curves
+    start: Points
+    closed: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PathData:
+    """What path data draws.
+
+    Attributes
+    ----------
+    subpaths : tuple of Subpath
+    commands : int
+        Drawing commands read.
+    problem : str
+        Where and why reading stopped early; empty if it did not.
+    """
+
+    subpaths: tuple[Subpath, ...]
+    commands: int
+    problem: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """A command with all the argument sets given for it."""
+
+    letter: str  # in upper case
+    relative: bool
+    arguments: _Arguments
+
+    def ends(self, start: _Point) -> Iterator[_Point]:
+        """Where each argument set ends, for a run that starts at `start`."""
+        x, y = start
+        for arguments in self.arguments:
+            origin_x, origin_y = (x, y) if self.relative else (0.0, 0.0)
+            if self.letter != "V":
+                x = origin_x + arguments[0 if self.letter == "H" else -2]
+            if self.letter != "H":
+                y = origin_y + arguments[-1]
+            yield x, y
+
+
+class _Stopped(Exception):
+    """Raised where the text stops being path data."""
+
+
+def parse_path_data(text: str, most: int) -> PathData:
+    """Parse path data as far as it is sound.
+
+    Parameters
+    ----------
+    text : str
+    most : int
+        Drawing commands after which to stop; ``commands`` is then greater than `most`.
+    """
+    subpaths: list[Subpath] = []
+    pending: list[_Run] = []
+    start: _Point | None = None
+    current: _Point = (0.0, 0.0)
+    commands = 0
+    problem = ""
+
+    def finish(closed: bool) -> None:
+        if start is not None and (pending or closed):
+            subpaths.append(_subpath(start, pending, closed))
+        pending.clear()
+
+    try:
+        for run in _runs(text, most):
+            if run.letter == "M":
+                finish(closed=False)
+                start, *more = _Run("L", run.relative, run.arguments).ends(current)
+                current = start
+                if more:
+                    run = _Run("L", run.relative, run.arguments[1:])
+                    pending.append(run)
+            elif run.letter == "Z":
+                finish(closed=True)
+                assert start is not None  # data begins with a moveto
+                current = start
+                continue
+            else:
+                pending.append(run)
+            *_, current = run.ends(current)
+            commands += len(run.arguments)
+            if commands > most:
+                break
+    except _Stopped as stopped:
+        problem = str(stopped)
+    finish(closed=False)
+    return PathData(tuple(subpaths), commands, problem)
+
+
+def _runs(text: str, most: int) -> Iterator[_Run]:
+    """Commands in order; raises `_Stopped` at the first thing that is not one."""
+    end = len(text.rstrip(" \t\r\n\f,"))
+    position = 0
+    while position < end:
+        command = _COMMAND.match(text, position)
+        if command is None or (position == 0 and command[1] not in "Mm"):
+            raise _Stopped(_place(text, position, "a command" if position else "a moveto"))
+        letter = command[1].upper()
+        position = command.end()
+        if letter == "Z":
+            yield _Run("Z", False, [])
+            continue
+        found = _RUNS[command[1]].match(text, position)
+        if found is None:
+            raise _Stopped(_place(text, position, f"the numbers of {command[1]}"))
+        arguments = _arguments(letter, text, position, found.end(), most)
+        sound = list(takewhile(_in_range, arguments))
+        if sound:
+            yield _Run(letter, command[1].islower(), sound)
+        if len(sound) < len(arguments):
+            raise _Stopped(_place(text, position, f"numbers of a sound size for {command[1]}"))
+        position = found.end()
+
+
+def _in_range(values: tuple[float, ...]) -> bool:
+    return all(-GREATEST <= value <= GREATEST for value in values)
+
+
+def _arguments(letter: str, text: str, start: int, end: int, most: int) -> _Arguments:
+    """Argument sets of a run, at most one more than `most`."""
+    if letter == "A":
+        sets = islice(_ARC.finditer(text, start, end), most + 1)
+        return [tuple(map(float, found.groups())) for found in sets]
+    width = len(_KINDS[letter])
+    found = islice(_NUMBER.finditer(text, start, end), (most + 1) * width)
+    values = [float(number[0]) for number in found]
+    return list(zip(*(values[i::width] for i in range(width)), strict=True))
+
+
+def _place(text: str, position: int, wanted: str) -> str:
+    found = text[position : position + 12].strip()
+    shown = f"{found!r}" if found else "its end"
+    return f"expected {wanted} at character {position + 1} of the path data, found {shown}"
+
+
+def _subpath(start: _Point, runs: list[_Run], closed: bool) -> Subpath:
+    if all(run.letter in _PLAIN for run in runs):
+        curves = _plain_curves(start, runs)
+    else:
+        curves = _parsed_curves(start, runs)
+    origin = np.array(start)
+    if closed and len(curves) and (curves[-1, 3] != origin).any():
+        curves = np.concatenate([curves, line_curves(curves[-1:, 3], origin[None])])
+    return Subpath(curves, origin, closed)
+
+
+def _plain_curves(start: _Point, runs: list[_Run]) -> Curves:
+    """Curves of a subpath of lines and cubics."""
+    ends = [start]
+    handles: list[tuple[float, ...]] = []
+    straight: list[bool] = []
+    for run in runs:
+        count = len(run.arguments)
+        origins = len(ends) - 1
+        ends.extend(run.ends(ends[-1]))
+        straight += [run.letter != "C"] * count
+        if run.letter != "C":
+            handles += [(0.0,) * 4] * count
+        elif run.relative:
+            handles += [
+                (x + a, y + b, x + c, y + d)
+                for (x, y), (a, b, c, d, _, _) in zip(ends[origins:-1], run.arguments, strict=True)
+            ]
+        else:
+            handles += [arguments[:4] for arguments in run.arguments]
+    points = np.array(ends)[:, None]
+    inner = np.array(handles).reshape(-1, 2, 2)
+    curves = np.concatenate([points[:-1], inner, points[1:]], axis=1)
+    lines = np.array(straight, dtype=np.bool_)
+    curves[lines] = line_curves(curves[lines, 0], curves[lines, 3])
+    return curves
+
+
+def _parsed_curves(start: _Point, runs: list[_Run]) -> Curves:
+    """Curves of a subpath as svgpathtools parses it."""
+    from svgpathtools import Arc, CubicBezier, QuadraticBezier, parse_path
+
+    words = ["M", *map(repr, start)]
+    current = start
+    for run in runs:
+        ends = list(run.ends(current))
+        if run.letter == "A":
+            words += _sound_arcs(run.arguments, [current, *ends])
+        else:
+            words.append(run.letter.lower() if run.relative else run.letter)
+            words += (repr(value) for values in run.arguments for value in values)
+        current = ends[-1]
+
+    pieces = []
+    with np.errstate(all="ignore"):  # far-fetched radii; what overflows is refused by the reader
+        for segment in parse_path(" ".join(words)):
+            if isinstance(segment, Arc):
+                pieces.append(arc_curves(segment))
+                continue
+            points = np.array(segment.bpoints())
+            if isinstance(segment, CubicBezier):
+                cubic = points
+            elif isinstance(segment, QuadraticBezier):
+                first, handle, last = points
+                cubic = np.array([first, (first + 2 * handle) / 3, (last + 2 * handle) / 3, last])
+            else:
+                first, last = points
+                cubic = np.array([first, (2 * first + last) / 3, (first + 2 * last) / 3, last])
+            pieces.append(np.stack([cubic.real, cubic.imag], axis=-1)[None])
+    return np.concatenate(pieces) if pieces else np.zeros((0, 4, 2))
+
+
+def _sound_arcs(arguments: _Arguments, points: list[_Point]) -> list[str]:
+    """Arcs as words, without those that svgpathtools cannot hold.
+
+    An arc that ends where it starts is left out, one without a radius is a line ([SVG2], B.2.5).
+    """
+    words = []
+    for values, start, end in zip(arguments, points[:-1], points[1:], strict=True):
+        if start == end:
+            continue
+        radius_x, radius_y, turn, large, sweep = values[:5]
+        if radius_x == 0 or radius_y == 0:
+            words += ["L", *map(repr, end)]
+        else:
+            shape = [repr(radius_x), repr(radius_y), repr(turn), str(int(large)), str(int(sweep))]
+            words += ["A", *shape, *map(repr, end)]
+    return words
