@@ -22,11 +22,13 @@ __all__ = [
 #: Gauss-Legendre nodes a curve's length is integrated with; fewer misjudge hooks and cusps.
 LENGTH_NODES = 16
 
+_THIRDS = np.linspace(0.0, 1.0, 4)[:, None]
+
 
 def line_curves(start: Points, end: Points) -> Curves:
     """Straight lines as cubics with handles at the thirds, (..., 4, 2)."""
-    s = np.linspace(0.0, 1.0, 4)[:, None]
-    return (1 - s) * np.asarray(start)[..., None, :] + s * np.asarray(end)[..., None, :]
+    start, end = np.asarray(start)[..., None, :], np.asarray(end)[..., None, :]
+    return np.asarray((1 - _THIRDS) * start + _THIRDS * end)
 
 
 def evaluate(curves: Curves, t: Floats) -> Points:

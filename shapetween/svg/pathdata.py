@@ -11,7 +11,7 @@ arrays at once; every other subpath is parsed by svgpathtools, which is imported
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import islice, takewhile
+from itertools import islice, pairwise, takewhile
 
 import numpy as np
 
@@ -156,11 +156,9 @@ def parse_path_data(text: str, most: int) -> PathData:
         for run in _runs(text, most):
             if run.letter == "M":
                 finish(closed=False)
-                start, *more = _Run("L", run.relative, run.arguments).ends(current)
-                current = start
-                if more:
-                    run = _Run("L", run.relative, run.arguments[1:])
-                    pending.append(run)
+                start, *_ = run.ends(current)
+                if len(run.arguments) > 1:  # what follows the first point are lines
+                    pending.append(_Run("L", run.relative, run.arguments[1:]))
             elif run.letter == "Z":
                 finish(closed=True)
                 assert start is not None  # data begins with a moveto
@@ -239,27 +237,24 @@ def _plain_curves(start: _Point, runs: list[_Run]) -> Curves:
     """Curves of a subpath of lines and cubics."""
     ends = [start]
     handles: list[tuple[float, ...]] = []
-    straight: list[bool] = []
     for run in runs:
-        count = len(run.arguments)
-        origins = len(ends) - 1
+        first = len(ends) - 1
         ends.extend(run.ends(ends[-1]))
-        straight += [run.letter != "C"] * count
-        if run.letter != "C":
-            handles += [(0.0,) * 4] * count
+        if run.letter != "C":  # a line, with its handles at the thirds
+            handles += [
+                ((2 * x + p) / 3, (2 * y + q) / 3, (x + 2 * p) / 3, (y + 2 * q) / 3)
+                for (x, y), (p, q) in pairwise(ends[first:])
+            ]
         elif run.relative:
             handles += [
                 (x + a, y + b, x + c, y + d)
-                for (x, y), (a, b, c, d, _, _) in zip(ends[origins:-1], run.arguments, strict=True)
+                for (x, y), (a, b, c, d, _, _) in zip(ends[first:-1], run.arguments, strict=True)
             ]
         else:
             handles += [arguments[:4] for arguments in run.arguments]
     points = np.array(ends)[:, None]
     inner = np.array(handles).reshape(-1, 2, 2)
-    curves = np.concatenate([points[:-1], inner, points[1:]], axis=1)
-    lines = np.array(straight, dtype=np.bool_)
-    curves[lines] = line_curves(curves[lines, 0], curves[lines, 3])
-    return curves
+    return np.concatenate([points[:-1], inner, points[1:]], axis=1)
 
 
 def _parsed_curves(start: _Point, runs: list[_Run]) -> Curves:
