@@ -1,0 +1,149 @@
+"""Symmetric matrices summed from small blocks, kept as narrow bands.
+
+A triangulation of a few hundred vertices, numbered from one side to the other, has a matrix whose
+non-zeros lie near the diagonal; LAPACK factorises such a band faster than a sparse solver finds
+its pattern. The pattern is prepared once and filled many times.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.sparse import coo_array, csr_array
+from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+from shapetween.arrays import Floats, Index, Mask, Points
+
+__all__ = ["BandPattern", "BandSystem", "numbered"]
+
+
+def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
+    """Number the free vertices so that those of an element lie close (reverse Cuthill-McKee).
+
+    Parameters
+    ----------
+    elements : (E, K) intp
+        Vertices of every element; -1 for none.
+    fixed : (V,) bool
+
+    Returns
+    -------
+    unknowns : (E, K) intp
+        Elements in the new numbers; -1 for fixed vertices and for none.
+    free : (U,) intp
+        The vertex of each number.
+    """
+    free = np.flatnonzero(~fixed)
+    number = np.append(np.where(fixed, -1, np.cumsum(~fixed) - 1), -1)
+    unknowns = number[elements]
+    i, j = (x.ravel() for x in np.broadcast_arrays(unknowns[:, :, None], unknowns[:, None, :]))
+    both = (i >= 0) & (j >= 0)
+    graph = coo_array((np.ones(both.sum()), (i[both], j[both])), shape=(len(free), len(free)))
+    order = reverse_cuthill_mckee(graph.tocsr(), symmetric_mode=True)
+    rank = np.append(np.argsort(order), -1)
+    return rank[unknowns], free[order]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BandPattern:
+    """Where the blocks of elements go in a band.
+
+    Attributes
+    ----------
+    elements : (E, K) intp
+        Unknowns of every element, numbered for a narrow band; -1 stands for a known value.
+    count : int
+        Number of unknowns.
+    height : int
+        Rows of the band, the diagonal included.
+    """
+
+    elements: Index
+    count: int
+    height: int
+    _entry: Index
+    _cell: Index
+
+    @classmethod
+    def of(cls, elements: Index, count: int) -> "BandPattern":
+        """Pattern of elements (E, K) over `count` unknowns."""
+        i, j = np.broadcast_arrays(elements[:, :, None], elements[:, None, :])
+        entry = np.flatnonzero((j >= 0) & (i >= j))
+        row, column = i.ravel()[entry], j.ravel()[entry]
+        height = int((row - column).max(initial=0)) + 1
+        return cls(elements, count, height, entry, (row - column) * count + column)
+
+    def band(self, blocks: Floats) -> Floats:
+        """Sum symmetric blocks (E, K, K) into the lower band, (height, count)."""
+        size = self.height * self.count
+        values = blocks.reshape(-1)[self._entry]
+        cells = np.bincount(self._cell, weights=values, minlength=size)
+        return np.asarray(cells.reshape(self.height, self.count), dtype=np.float64)
+
+    def vector(self, parts: Floats) -> Floats:
+        """Sum the elements' parts (E, K) of a vector, (count,)."""
+        known = self.elements < 0
+        where = np.where(known, self.count, self.elements).ravel()
+        sums = np.bincount(where, weights=parts.ravel(), minlength=self.count + 1)
+        return np.asarray(sums[: self.count], dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BandSystem:
+    """Points in the plane that solve ``((1 - t) A + t B) x = r`` with some of them known.
+
+    Attributes
+    ----------
+    free : (U,) intp
+        Unknown points, in the order of the band.
+    """
+
+    free: Index
+    _bands: tuple[Floats, Floats]
+    _sum: csr_array[np.float64, tuple[int, int]]
+    _border: Index
+    _corners: Index
+    _blocks: tuple[Floats, Floats]
+
+    @classmethod
+    def of(cls, elements: Index, fixed: Mask, start: Floats, end: Floats) -> "BandSystem":
+        """Sum A and B from blocks (E, K, K) of elements (E, K); -1 names no point."""
+        unknowns, free = numbered(elements, fixed)
+        pattern = BandPattern.of(unknowns, len(free))
+        rows, columns = unknowns[unknowns >= 0], np.flatnonzero(unknowns.ravel() >= 0)
+        total = coo_array(
+            (np.ones(len(rows)), (rows, columns)), shape=(len(free), unknowns.size)
+        ).tocsr()
+        known = (unknowns < 0) & (elements >= 0)
+        border = np.flatnonzero(known.any(axis=1))
+        corners = np.where(known, elements, -1)[border]
+        bands = pattern.band(start), pattern.band(end)
+        return cls(free, bands, total, border, corners, (start[border], end[border]))
+
+    def solver(self, t: Floats, points: Points) -> Callable[[Floats], Points]:
+        """Factorise at the times (F,), with known points from (F, V, 2).
+
+        Returns
+        -------
+        callable
+            From the elements' parts of r, (F, E, K, 2), to all points, (F, V, 2).
+        """
+        factors = [
+            cholesky_banded((1 - s) * self._bands[0] + s * self._bands[1], lower=True) for s in t
+        ]
+        time = t[:, None, None, None]
+        blocks = (1 - time) * self._blocks[0] + time * self._blocks[1]
+        pull = blocks @ np.where(self._corners[..., None] >= 0, points[:, self._corners], 0)
+
+        def solve(parts: Floats) -> Points:
+            parts[:, self._border] -= pull
+            frames, _, _, axes = parts.shape
+            flat = np.moveaxis(parts, 0, 2).reshape(-1, frames * axes)
+            right = np.asarray(self._sum @ flat).reshape(-1, frames, axes)
+            solved = points.copy()
+            for frame, factor in enumerate(factors):
+                solved[frame, self.free] = cho_solve_banded((factor, True), right[:, frame])
+            return solved
+
+        return solve

@@ -1,0 +1,202 @@
+"""A triangulation of the whole plane that fits two sets of matched outlines.
+
+It is built around one of the two and then laid around the other. Where that is impossible some
+triangles stay turned over; they are marked, and the motion leaves them out.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Mask, Points, frozen
+from shapetween.errors import OutlineError, ShapeError
+from shapetween.geometry.polygon import polygon_area
+from shapetween.plane.layout import FRAME_CORNERS, Layout, ring_edges
+from shapetween.plane.pose import AffinePath, Pose, affine_path
+from shapetween.plane.untangle import Untangler
+
+__all__ = ["PlaneMesh", "plane_mesh"]
+
+#: Radius of the frame over that of the shapes. Smaller, and limbs that swing out are held back;
+#: larger costs triangles.
+FRAME_RADIUS = 1.6
+#: Rings of neighbours refined with triangles that stay turned over. Fewer leave meshes tangled
+#: that more would free; more cost triangles.
+REFINED_RINGS = 2
+#: Least area of a triangle over the square of its longest side. Thinner ones count as turned
+#: over: their Jacobians are rounding error.
+LEAST_ASPECT = 1e-7
+#: Relative difference below which two measures of shapes are the same.
+SAME = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlaneMesh:
+    """Triangles over two arrays of vertices: nodes of the outlines first, then frame, then free.
+
+    Attributes
+    ----------
+    source, target : (V, 2) float64
+    triangles : (T, 3) intp
+        Of positive area in both, but for those `turned`.
+    inside : (T,) bool
+        Triangles inside the outlines.
+    rings : tuple of (N_r,) intp
+        Nodes of each outline in order.
+    poses : (Pose, Pose)
+        Poses of source and target.
+    body : AffinePath
+        Motion of the shapes as a whole, between their poses; the frame follows it.
+    turned : (T,) bool
+        Triangles turned over, or almost without area, on one side.
+    """
+
+    source: Points
+    target: Points
+    triangles: Index
+    inside: Mask
+    rings: tuple[Index, ...]
+    poses: tuple[Pose, Pose]
+    body: AffinePath
+    turned: Mask = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Copy and lock the arrays; find the triangles turned over."""
+        for name in ("source", "target"):
+            object.__setattr__(self, name, frozen(getattr(self, name), np.float64, last=(2,)))
+        object.__setattr__(self, "triangles", frozen(self.triangles, np.intp, last=(3,)))
+        object.__setattr__(self, "inside", frozen(self.inside, np.bool_, ndim=1))
+        turned = _thin(self.source[self.triangles]) | _thin(self.target[self.triangles])
+        object.__setattr__(self, "turned", frozen(turned, np.bool_, ndim=1))
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes of the outlines, the first vertices."""
+        return sum(len(ring) for ring in self.rings)
+
+    @property
+    def frame(self) -> Index:
+        """Vertices of the frame, in order."""
+        return np.arange(self.nodes, self.nodes + FRAME_CORNERS)
+
+    def area(self, vertices: Points) -> Floats:
+        """Area within all outlines, holes left out, (...,) for vertices (..., V, 2)."""
+        return np.asarray(sum(polygon_area(vertices[..., ring, :]) for ring in self.rings))
+
+
+def plane_mesh(
+    source: Points, target: Points, rings: Sequence[Index] | None = None, *, refine: bool = True
+) -> PlaneMesh:
+    """Triangulate the plane around two sets of matched outlines.
+
+    Swapping source and target gives the same triangles.
+
+    Parameters
+    ----------
+    source, target : (N, 2) float64
+        Matched nodes. The rings of each must not cross; outer ones run clockwise as drawn, holes
+        the other way.
+    rings : sequence of (N_r,) intp, optional
+        Nodes of each ring, every node in one; by default all nodes make one ring.
+    refine : bool
+        Whether to split triangles, and try again, where the mesh stays tangled: slower.
+
+    Raises
+    ------
+    ShapeError
+        If the nodes are not as many on both sides.
+    OutlineError
+        If an area is not positive, or two nodes of a ring coincide.
+    MeshError
+        If rings cross.
+    """
+    a, b = frozen(source, np.float64, last=(2,)), frozen(target, np.float64, last=(2,))
+    if a.shape != b.shape or len(a) < 3:
+        raise ShapeError(f"{len(a)} nodes and {len(b)}; they must be as many, at least 3")
+    loops = tuple(frozen(r, np.intp, ndim=1) for r in rings or [np.arange(len(a))])
+    edges = ring_edges(loops)
+    if any((p[edges[:, 0]] == p[edges[:, 1]]).all(axis=1).any() for p in (a, b)):
+        raise OutlineError("two neighbouring nodes of an outline coincide")
+    poses = tuple(Pose.of(p, float(sum(polygon_area(p[r]) for r in loops))) for p in (a, b))
+    ordered = _leads(poses[0].normalise(a), poses[1].normalise(b), edges)
+    first, second = [poses[0].normalise(a), poses[1].normalise(b)][:: 1 if ordered else -1]
+    body = affine_path(first, second)
+    vertices, layout = _fit(first, second, body, loops, refine)
+    if not ordered:
+        vertices, body = vertices[::-1], body.reversed()
+    return PlaneMesh(
+        poses[0].place(vertices[0]),
+        poses[1].place(vertices[1]),
+        layout.triangles,
+        layout.inside,
+        loops,
+        (poses[0], poses[1]),
+        body,
+    )
+
+
+def _fit(
+    first: Points, second: Points, body: AffinePath, rings: Sequence[Index], refine: bool
+) -> tuple[tuple[Points, Points], Layout]:
+    """Vertices of both shapes over one layout, built around whichever serves.
+
+    The other shape is brought near by the motion of the whole, so that affine images come out
+    exactly.
+    """
+    forth, back = body.matrix, np.linalg.inv(body.matrix)
+    seen: list[tuple[int, bool, Layout, Points]] = []
+    for swapped in (False, True):
+        rest, other = (second, first @ forth.T) if swapped else (first, second @ back.T)
+        radius = FRAME_RADIUS * np.linalg.norm([rest, other], axis=2).max()
+        layout = Layout.around(rest, rings, float(radius))
+        placed, turned = _lay(layout, other)
+        seen.append((turned, swapped, layout, placed))
+        if turned == 0:
+            break
+    for turned, swapped, layout, placed in sorted(seen, key=lambda side: side[0]):
+        if turned == 0 or not refine or min(seen, key=lambda side: side[0])[0] == 0:
+            break
+        bad = _thin(placed[layout.triangles])
+        finer = layout.refined(bad, REFINED_RINGS)
+        again, left = _lay(finer, placed[: len(first)])
+        seen.append((left, swapped, finer, again))
+    _, swapped, layout, placed = min(seen, key=lambda side: side[0])
+    rest = layout.points
+    return ((placed @ back.T, rest) if swapped else (rest, placed @ forth.T)), layout
+
+
+def _lay(layout: Layout, nodes: Points) -> tuple[Points, int]:
+    """Vertices of a layout about other nodes, and how many triangles are turned over."""
+    fixed = np.arange(len(layout.points)) < layout.fixed
+    untangler = Untangler.of(layout.points, layout.triangles, fixed)
+    start = layout.points.copy()
+    start[: len(nodes)] = nodes
+    return untangler.untangle(untangler.harmonic(start))
+
+
+def _thin(corners: Points) -> Mask:
+    """Which triangles (T, 3, 2) are turned over or almost without area."""
+    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(-1).max(axis=1)
+    return np.asarray(polygon_area(corners) <= LEAST_ASPECT * longest)
+
+
+def _leads(first: Points, second: Points, edges: Index) -> bool:
+    """Whether the first of two normalised shapes is the one to build on.
+
+    Decided by measures that no similarity changes, so that time can run backwards: the length of
+    the outline, then, for mirror images, the sense of its third moments.
+    """
+    measures = []
+    for points in (first, second):
+        ends = points[edges]
+        weights = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+        z = ends.mean(axis=1) @ np.array([1, 1j])
+        z = z - (weights @ z) / weights.sum()
+        third, moment = weights @ (z * np.abs(z) ** 2), weights @ z**2
+        size = weights @ np.abs(z) ** 2
+        measures.append((weights.sum(), (third**2 * moment.conjugate()).imag / size**4))
+    for ours, theirs in zip(*measures, strict=True):
+        if abs(ours - theirs) > SAME * (abs(ours) + abs(theirs) + SAME):
+            return bool(ours > theirs)
+    return True

@@ -1,0 +1,263 @@
+"""The motion of a plane mesh: every triangle turns and stretches as evenly as the others let it.
+
+For every triangle there is a wanted Jacobian J_t, the identity at 0 and J at 1. The vertices x at
+t are those of least
+
+    sum_T w [ (1 - t) a |J_A(x) - R J_t|^2 + t b |J_B(x) - R J_t J^-1|^2 ]
+      + lambda sum_edges |x_j - x_i - l u|^2,
+
+where J_A and J_B are the Jacobians of x on the triangle's source and target, a and b their areas,
+R a rotation of each triangle's own, l the wanted length of an outline's edge and u its direction.
+R and u are found in turns with x, as in [SA07]_, and J_t of the inside is scaled as a whole so
+that the area of the shape keeps to its path. Inside triangles have weight 1 and outside ones
+less: the outside is a cushion that keeps parts from passing through each other. At the ends all
+terms are zero at once, so they are met exactly; backwards in time the energy is the same.
+
+.. [SA07] O. Sorkine, M. Alexa, *As-rigid-as-possible surface modeling*, SGP 2007.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Points
+from shapetween.plane.banded import BandSystem
+from shapetween.plane.jacobians import (
+    coherent_angles,
+    gradients,
+    jacobians,
+    polar_angles,
+    polar_path,
+    rotations,
+)
+from shapetween.plane.layout import ring_edges
+from shapetween.plane.mesh import PlaneMesh
+from shapetween.plane.triangulate import triangle_edges
+
+__all__ = ["InsideTarget", "PlaneMotion", "Stiffness"]
+
+InsideTarget: TypeAlias = Callable[[Floats], Floats]
+"""Wanted Jacobians of the inside triangles at times (F,), shape (F, T_inside, 2, 2), user units."""
+
+#: Weight of the linear blend that carries triangles which are turned over at an end. It only has to
+#: keep the system regular.
+BLEND_WEIGHT = 1e-3
+#: Rounds of finding rotations and vertices in turns. More come nearer to the least energy; fewer
+#: keep more of the wanted rotations.
+ROUNDS = 3
+#: How strongly a triangle holds to the rotation first wanted, against the one that fits. None, and
+#: triangles that shrink to nothing spin; much, and limbs are kept short.
+PRIOR = 0.3
+#: Least area, as a share of the wanted one, that the correction of the area believes.
+LEAST_AREA = 0.25
+#: Laplacian of a triangle's edges, all of weight 1.
+_UNIFORM = 3.0 * np.eye(3) - 1.0
+#: Stands in for triangles whose own shape cannot be used.
+_ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+
+
+@dataclass(frozen=True, slots=True)
+class Stiffness:
+    """What resists in a motion.
+
+    Attributes
+    ----------
+    outside : float
+        Weight of the outside triangles. Larger keeps parts further apart and turns them less.
+    length : float
+        Weight of the lengths of the outlines' edges. Larger keeps limbs longer and areas less.
+    """
+
+    outside: float = 0.3
+    length: float = 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlaneMotion:
+    """A mesh prepared to move; `vertices` asks it for times.
+
+    Attributes
+    ----------
+    mesh : PlaneMesh
+    target : InsideTarget or None
+        What the inside triangles should do; by default they turn and stretch evenly.
+    """
+
+    mesh: PlaneMesh
+    target: InsideTarget | None
+    _ends: tuple[Points, Points]
+    _jacobians: Floats
+    _angles: Floats
+    _pulls: tuple[Floats, Floats]
+    _edges: "_Edges"
+    _system: BandSystem
+    _weights: tuple[Floats, Floats]
+
+    @classmethod
+    def prepare(
+        cls,
+        mesh: PlaneMesh,
+        stiffness: Stiffness | None = None,
+        target: InsideTarget | None = None,
+    ) -> "PlaneMotion":
+        """Compute all that does not depend on time."""
+        stiffness = stiffness or Stiffness()
+        ends = mesh.poses[0].normalise(mesh.source), mesh.poses[1].normalise(mesh.target)
+        corners = [points[mesh.triangles] for points in ends]
+        for half in corners:
+            half[mesh.turned] = _ANY_TRIANGLE
+        (hats_a, areas_a), (hats_b, areas_b) = gradients(corners[0]), gradients(corners[1])
+        whole = jacobians(hats_a, corners[1])
+        whole[mesh.turned] = mesh.body.matrix
+        angles = mesh.body.angle + coherent_angles(
+            rotations(np.array(-mesh.body.angle)) @ whole,
+            mesh.triangles,
+            areas_a + areas_b,
+            mesh.inside,
+            ~mesh.turned,
+        )
+        weights = np.where(mesh.inside, 1.0, stiffness.outside) * ~mesh.turned
+        weights_a, weights_b = weights * areas_a, weights * areas_b
+        pull_a = weights_a[:, None, None] * hats_a
+        pull_b = weights_b[:, None, None] * hats_b
+        blend = BLEND_WEIGHT * mesh.turned[:, None, None] * _UNIFORM
+        edges = _Edges.of(mesh, ends, stiffness.length)
+        fixed = np.zeros(len(mesh.source), dtype=bool)
+        fixed[mesh.frame] = True
+        system = BandSystem.of(
+            np.concatenate([mesh.triangles, edges.elements]),
+            fixed,
+            np.concatenate([pull_a @ np.swapaxes(hats_a, 1, 2) + blend, edges.blocks]),
+            np.concatenate([pull_b @ np.swapaxes(hats_b, 1, 2) + blend, edges.blocks]),
+        )
+        pulls = pull_a, pull_b @ np.swapaxes(np.linalg.inv(whole), 1, 2)
+        return cls(mesh, target, ends, whole, angles, pulls, edges, system, (weights_a, weights_b))
+
+    def vertices(self, t: Floats) -> Points:
+        """Vertices at the times (F,), in user units, (F, V, 2)."""
+        mesh = self.mesh
+        time, body = t[:, None, None], mesh.body.at(t)
+        linear = (1 - time) * self._ends[0] + time * self._ends[1]
+        at = linear.copy()
+        at[:, mesh.frame] = self._ends[0][mesh.frame] @ np.swapaxes(body, 1, 2)
+        solve = self._system.solver(t, at)
+        pulls = (1 - time[..., None]) * self._pulls[0] + time[..., None] * self._pulls[1]
+        blend = BLEND_WEIGHT * _UNIFORM @ linear[:, mesh.triangles[mesh.turned]]
+        first = self._wanted(t)
+        prior = PRIOR * self._norms(first, t)[..., None, None] * np.eye(2)
+        wanted, grown = first, np.ones(len(t))
+        lengths, areas = self._edges.lengths(body, t), self._areas(body, t)
+        for step in range(1 + ROUNDS):
+            if step:
+                moved = np.swapaxes(at[:, mesh.triangles], 2, 3) @ pulls
+                fit = rotations(polar_angles(moved @ np.swapaxes(first, 2, 3) + prior))
+                lack = areas / np.maximum(mesh.area(at), LEAST_AREA * areas)
+                grown = grown * np.sqrt(lack)
+                wanted = np.where(mesh.inside, grown[:, None], 1)[..., None, None] * (fit @ first)
+            along = self._edges.along(at) if step else self._edges.turned(wanted)
+            parts = pulls @ np.swapaxes(wanted, 2, 3)
+            parts[:, mesh.turned] = blend
+            at = solve(np.concatenate([parts, self._edges.parts(along, lengths)], axis=1))
+        source, target = mesh.poses
+        size = (1 - t) * source.size + t * target.size
+        centre = (1 - t)[:, None] * source.centre + t[:, None] * target.centre
+        at = at * size[:, None, None] + centre[:, None]
+        at[t == 0], at[t == 1] = mesh.source, mesh.target  # but for rounding, they are there
+        return at
+
+    def _norms(self, wanted: Floats, t: Floats) -> Floats:
+        """What the energy of each triangle would be if nothing moved, (F, T)."""
+        at_source = (wanted**2).sum((2, 3))
+        at_target = ((wanted @ np.linalg.inv(self._jacobians)) ** 2).sum((2, 3))
+        time = t[:, None]
+        from_source, from_target = self._weights
+        return np.asarray((1 - time) * from_source * at_source + time * from_target * at_target) / 2
+
+    def _areas(self, body: Floats, t: Floats) -> Floats:
+        """Wanted area of all outlines, (F,): its root goes straight, but for the body's motion."""
+        ratio = 1 / np.linalg.det(self.mesh.body.matrix)
+        return np.asarray(np.linalg.det(body) * ((1 - t) + t * np.sqrt(ratio)) ** 2)
+
+    def _wanted(self, t: Floats) -> Floats:
+        """Wanted Jacobians of all triangles, from pose to pose, (F, T, 2, 2)."""
+        wanted = polar_path(self._jacobians, self._angles, t)
+        if self.target is not None:
+            source, target = self.mesh.poses
+            scale = source.size / ((1 - t) * source.size + t * target.size)
+            inside = scale[:, None, None, None] * self.target(t)
+            use = self.mesh.inside & ~self.mesh.turned
+            wanted[:, use] = inside[:, use[self.mesh.inside]]
+        return wanted
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Edges:
+    """Edges of the outlines as elements that hold their length.
+
+    Attributes
+    ----------
+    elements : (N, 3) intp
+        The two ends, and -1.
+    blocks : (N, 3, 3) float64
+    start, end : (N, 2) float64
+        The edges as vectors in both poses.
+    beside : (N,) intp
+        The inside triangle beside each.
+    body : (2, 2) float64
+        Where the motion of the whole ends.
+    """
+
+    elements: Index
+    blocks: Floats
+    start: Floats
+    end: Floats
+    beside: Index
+    body: Floats
+
+    @classmethod
+    def of(cls, mesh: PlaneMesh, ends: tuple[Points, Points], weight: float) -> "_Edges":
+        """Edges of a mesh's rings, all of one weight."""
+        edges = ring_edges(mesh.rings)
+        known, sides = triangle_edges(mesh.triangles)
+        code = known @ [len(mesh.source), 1]
+        sides = sides[np.searchsorted(code, np.sort(edges, axis=1) @ [len(mesh.source), 1])]
+        beside = np.where(mesh.inside[sides[:, 0]], sides[:, 0], sides[:, 1])
+        block = weight * np.array([[1.0, -1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
+        return cls(
+            np.pad(edges, ((0, 0), (0, 1)), constant_values=-1),
+            np.broadcast_to(block, (len(edges), 3, 3)),
+            ends[0][edges[:, 1]] - ends[0][edges[:, 0]],
+            ends[1][edges[:, 1]] - ends[1][edges[:, 0]],
+            beside,
+            mesh.body.matrix,
+        )
+
+    def along(self, points: Points) -> Floats:
+        """The edges as vectors between moving points (F, V, 2), (F, N, 2)."""
+        return np.asarray(points[:, self.elements[:, 1]] - points[:, self.elements[:, 0]])
+
+    def turned(self, wanted: Floats) -> Floats:
+        """The edges as the wanted Jacobians (F, T, 2, 2) beside them turn them, (F, N, 2)."""
+        return np.asarray((wanted[:, self.beside] @ self.start[..., None])[..., 0])
+
+    def lengths(self, whole: Floats, t: Floats) -> Floats:
+        """Wanted lengths (F, N): straight between the ends, but for the motion of the whole.
+
+        Source and target edge each go the way of the whole, (F, 2, 2), and the two lengths are
+        blended, so that affine images keep to it.
+        """
+        back = np.linalg.inv(self.body)
+        forth = np.linalg.norm(self.start @ np.swapaxes(whole, 1, 2), axis=2)
+        return np.asarray(
+            (1 - t)[:, None] * forth
+            + t[:, None] * np.linalg.norm(self.end @ np.swapaxes(whole @ back, 1, 2), axis=2)
+        )
+
+    def parts(self, along: Floats, lengths: Floats) -> Floats:
+        """What the edges add to the right side, (F, N, 3, 2)."""
+        size = np.linalg.norm(along, axis=2)
+        scaled = along * (lengths / np.where(size > 0, size, 1))[..., None]
+        weight = self.blocks[:, 0, 0, None]
+        return np.stack([-weight * scaled, weight * scaled, 0 * scaled], axis=2)
