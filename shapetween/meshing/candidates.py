@@ -5,6 +5,7 @@
 """
 
 import heapq
+from itertools import pairwise
 
 import numpy as np
 
@@ -47,7 +48,7 @@ def _off_chord(curve: Points, first: int, last: int) -> Floats:
     return np.asarray(np.sqrt(((inner - start - share[:, None] * along) ** 2).sum(-1)))
 
 
-def simplified(points: Points, corners: Mask, count: int) -> Index:
+def simplified(points: Points, corners: Mask, count: int, kept: Index | None = None) -> Index:
     """Up to `count` samples that outline both contours best, furthest first [DP73]_.
 
     The matched pair is one closed curve in four dimensions, and simplified as one.
@@ -59,17 +60,18 @@ def simplified(points: Points, corners: Mask, count: int) -> Index:
         Samples to prefer.
     count : int
         At least 3.
+    kept : (K,) intp, optional
+        Samples to begin with; by default that of `far_sample`.
 
     Returns
     -------
     (M,) intp
-        The sample of `far_sample` first; M is `count` unless there are fewer samples.
+        Those kept first; M is `count` unless there are fewer samples or more are kept.
     """
     total = points.shape[1]
     curve = np.concatenate([points[0], points[1]], axis=-1)
     bonus = np.where(corners, CORNER_BONUS, 1.0)
-    start = far_sample(points)
-    chosen = [start]
+    chosen = [far_sample(points)] if kept is None else kept.tolist()
     heap: list[tuple[float, int, int, int]] = []
 
     def push(first: int, last: int) -> None:
@@ -78,7 +80,9 @@ def simplified(points: Points, corners: Mask, count: int) -> Index:
             best = int(np.argmax(score))
             heapq.heappush(heap, (-float(score[best]), first, first + 1 + best, last))
 
-    push(start, start + total)
+    ring = sorted(chosen)
+    for first, last in pairwise([*ring, ring[0] + total]):
+        push(first, last)
     while heap and len(chosen) < count:
         _, first, middle, last = heapq.heappop(heap)
         chosen.append(middle % total)
@@ -117,7 +121,7 @@ def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
     return feet, np.take_along_axis(radii, feet[..., None], axis=2)[..., 0]
 
 
-def candidate_nodes(points: Points, corners: Mask, count: int) -> Index:
+def candidate_nodes(points: Points, corners: Mask, count: int, kept: Index | None = None) -> Index:
     """Up to `count` samples that outline the contours, and then samples across limbs from them.
 
     Parameters
@@ -126,6 +130,8 @@ def candidate_nodes(points: Points, corners: Mask, count: int) -> Index:
         Matched contours of area 1, clockwise as drawn.
     corners : (N,) bool
     count : int
+    kept : (K,) intp, optional
+        Samples that are candidates for certain, most important first.
 
     Returns
     -------
@@ -133,7 +139,7 @@ def candidate_nodes(points: Points, corners: Mask, count: int) -> Index:
         Most important first.
     """
     total = points.shape[1]
-    nodes = simplified(points, corners, max(4, round(OUTLINING * count)))
+    nodes = simplified(points, corners, max(4, round(OUTLINING * count)), kept)
     feet, radii = opposite_feet(points, nodes)
     clearance = FOOT_CLEARANCE * total / count
     taken = nodes.tolist()

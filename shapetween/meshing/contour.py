@@ -7,10 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
 
-__all__ = ["Contours", "arc_waste", "outside_lengths"]
+__all__ = ["Contours", "arc_waste", "left_out", "outside_lengths"]
+
+#: Sine of the angle by which a chord may set out to the outside of a contour and still be looked
+#: at. Larger only costs time; smaller, and ripples of the outline hide useful chords.
+LEANING = 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,43 +94,92 @@ def arc_waste(contours: Contours, first: Index, last: Index) -> Floats:
     return np.asarray(np.sqrt(np.maximum(squared, 0) * length))
 
 
-def outside_lengths(ring: Points, nodes: Index) -> Floats:
-    """Length of every chord between nodes that runs outside the polygon.
+def left_out(contours: Contours, nodes: Index) -> Floats:
+    """Area between each contour and the polygon of the nodes, (2,).
 
     Parameters
     ----------
-    ring : (N, 2) float64
-        Polygon, clockwise as drawn.
+    contours : Contours
     nodes : (n,) intp
-        Corners of it.
+        Increasing.
+    """
+    count = len(contours)
+    side = np.searchsorted(nodes, np.arange(count), side="right") - 1
+    first, last = nodes[side], np.roll(nodes, -1)[side]
+    start = contours.points[:, first]
+    chord = contours.points[:, last] - start
+    size = np.sqrt((chord**2).sum(-1))
+    unit = chord / np.where(size > 0, size, 1.0)[..., None]
+    here = contours.points - start
+    there = np.roll(contours.points, -1, axis=1) - start
+    along = ((there - here) * unit).sum(-1)
+    a, b = cross(unit, here), cross(unit, there)
+    # Mean of the distance to the chord over a segment that may cross it.
+    total = abs(a) + abs(b)
+    crossing = (a * a + b * b) / (2 * np.where(total > 0, total, 1.0))
+    distance = np.where(a * b < 0, crossing, total / 2)
+    return np.asarray((abs(along) * distance).sum(axis=-1))
+
+
+def outside_lengths(points: Points, nodes: Index) -> Floats:
+    """Length of every chord between nodes that runs outside each contour.
+
+    Parameters
+    ----------
+    points : (2, N, 2) float64
+        Contours, clockwise as drawn.
+    nodes : (n,) intp
 
     Returns
     -------
-    (n, n) float64
-        Symmetric, 0 for a chord that stays inside.
+    (2, n, n) float64
+        For pairs ``i < j``: 0 for a chord that stays inside, infinite for one that starts or ends
+        plainly outwards in either contour, and for all other pairs.
     """
-    count = len(ring)
-    i, j = np.triu_indices(len(nodes), 1)
+    count = len(nodes)
+    inward = np.stack([_inward(ring, nodes, LEANING) for ring in points]).all(axis=0)
+    i, j = np.nonzero(np.triu(inward & inward.T, 1))
+    lengths = np.full((2, count, count), np.inf)
+    for shape, ring in enumerate(points):
+        lengths[shape, i, j] = _outside(ring, nodes, i, j)
+    return lengths
+
+
+def _inward(ring: Points, nodes: Index, leaning: float) -> Mask:
+    """Which chords leave their first node into the polygon, (n, n).
+
+    They may lean outwards over a side by an angle of this sine.
+    """
+    here = ring[nodes]
+    towards = here[None] - here[:, None]
+    on = ring[(nodes + 1) % len(ring)] - here
+    back = ring[nodes - 1] - here
+    size, on_size, back_size = (np.sqrt((v**2).sum(-1)) for v in (towards, on, back))
+    left = cross(on[:, None], towards) >= -leaning * on_size[:, None] * size
+    right = cross(towards, back[:, None]) >= -leaning * back_size[:, None] * size
+    convex = cross(on, back) >= 0
+    return np.asarray(np.where(convex[:, None], left & right, left | right))
+
+
+def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
+    """Length of chords between nodes i and j, both (K,), outside a polygon."""
     ends = ring[nodes]
-    following = np.roll(ring, -1, axis=0)
 
-    # Side of every sample from every chord's line, and of every node from every segment's line.
-    node_by_sample = ends[:, None, 0] * ring[None, :, 1] - ends[:, None, 1] * ring[None, :, 0]
-    across = node_by_sample[j] - node_by_sample[i] + node_by_sample[i, nodes[j]][:, None]
-    beyond = across >= 0
-    step = following - ring
-    node_side = cross(step[None], ends[:, None] - ring[None])  # (n, N)
-    before = node_side >= 0
-
-    hit = beyond != np.roll(beyond, -1, axis=1)
-    hit &= before[i] != before[j]
+    # Which side of each chord's line the samples are on, and of each segment's line the nodes.
+    product = ends[:, None, 0] * ring[None, :, 1] - ends[:, None, 1] * ring[None, :, 0]
+    beyond = product[j] - product[i] >= -product[i, nodes[j]][:, None]
+    from_segment = cross((np.roll(ring, -1, axis=0) - ring)[None], ends[:, None] - ring[None])
+    before = from_segment >= 0
+    hit = before[i] != before[j]
+    hit[:, :-1] &= beyond[:, 1:] != beyond[:, :-1]
+    hit[:, -1] &= beyond[:, 0] != beyond[:, -1]
     own = np.arange(len(i))
     for node in (nodes[i], nodes[j]):  # the segments at a chord's own ends touch it, no more
         hit[own, node] = False
         hit[own, node - 1] = False
     chord, segment = np.nonzero(hit)
-    reached = node_side[i[chord], segment]
-    t = reached / (reached - node_side[j[chord], segment])
+    reached = from_segment[i[chord], segment]
+    t = reached / (reached - from_segment[j[chord], segment])
     order = np.lexsort((t, chord))
     chord, t = chord[order], t[order]
 
@@ -134,14 +187,5 @@ def outside_lengths(ring: Points, nodes: Index) -> Floats:
     nth = np.arange(len(chord)) - (np.cumsum(hits) - hits)[chord]
     # From inside, the outer stretches are t1..t2, t3..t4, ..., the last one up to the end.
     outer = np.bincount(chord, np.where(nth % 2 == 0, -t, t), minlength=len(i)) + hits % 2
-    start = ends[i]
-    towards = ends[j] - start
-    leaving = following[nodes[i]] - start
-    reaching = start - ring[(nodes[i] - 1) % count]
-    left = cross(leaving, towards) >= 0
-    right = cross(towards, -reaching) >= 0
-    inward = np.where(cross(reaching, leaving) >= 0, left & right, left | right)
-    share = np.where(inward, outer, 1 - outer)
-    lengths = np.zeros((len(nodes), len(nodes)))
-    lengths[i, j] = share * np.sqrt((towards**2).sum(-1))
-    return lengths + lengths.T
+    share = np.where(_inward(ring, nodes, 0.0)[i, j], outer, 1 - outer)
+    return np.asarray(share * np.sqrt(((ends[j] - ends[i]) ** 2).sum(-1)))

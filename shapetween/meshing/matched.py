@@ -8,17 +8,29 @@ from shapetween.arrays import Index, Mask, Points, frozen
 from shapetween.errors import OutlineError, ShapeError
 from shapetween.geometry.polygon import polygon_area
 from shapetween.mesh import MeshPair
-from shapetween.meshing.candidates import candidate_nodes, simplified
-from shapetween.meshing.contour import Contours, arc_waste
+from shapetween.meshing.candidates import candidate_nodes, far_sample, simplified
+from shapetween.meshing.contour import Contours, left_out
+from shapetween.meshing.dissection import Dissection
 from shapetween.meshing.quality import face_figures
 from shapetween.meshing.repair import Faces, repaired, simple_nodes
-from shapetween.meshing.search import LEVELS, Search
+from shapetween.meshing.search import LEVELS, QUAD_PRICE, Search
 from shapetween.meshing.slide import slid
 
 __all__ = ["MatchedMesh", "mesh_matched"]
 
-#: Candidates for nodes. More find better meshes in time that grows with their third power.
-CANDIDATES = 64
+#: Candidates for nodes in each round of the search. The second is only for meshes that the first
+#: left with triangles or with quads that would not move well. More candidates find better meshes,
+#: in time that grows with their third power.
+ROUNDS = (80, 120)
+
+#: Candidates for every quad asked for. Fewer leave no choice of nodes.
+CANDIDATES_A_QUAD = 4
+
+#: Prices of a quad between which a number of quads asked for is sought, and in how many steps.
+PRICES, PRICE_STEPS = (-8.0, 16.0), 12
+
+#: Price, in quads about, that it is worth to put a node on a corner of an outline.
+CORNER_PULL = 0.5
 
 #: Nodes of a mesh where the search finds none.
 FALLBACK_NODES = 24
@@ -43,7 +55,7 @@ class MatchedMesh:
         Largest ratio of the homography's w over the corners of a quad.
     left_out : (float, float)
         Area between the node polygon and the samples' polygon in source and target, as a share of
-        the latter's. Stretches that fold back over themselves count more than their area.
+        the latter's. Where the outline folds back over itself it is counted for each fold.
     """
 
     pair: MeshPair
@@ -52,6 +64,22 @@ class MatchedMesh:
     sine: float
     perspective: float
     left_out: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Draft:
+    """A mesh being made: nodes as samples, cyclically increasing, and faces over their numbers."""
+
+    nodes: Index
+    quads: Index
+    triangles: Index
+
+    @classmethod
+    def of(cls, found: Dissection) -> "_Draft":
+        nodes = np.unique(np.concatenate([found.quads.ravel(), found.triangles.ravel()]))
+        return cls(
+            nodes, np.searchsorted(nodes, found.quads), np.searchsorted(nodes, found.triangles)
+        )
 
 
 def mesh_matched(
@@ -75,63 +103,110 @@ def mesh_matched(
         If an outline has no area, runs the wrong way round or crosses itself.
     ShapeError
         If the arrays do not fit together.
+
+    Notes
+    -----
+    The same mesh is found wherever the samples start, and whichever outline is the source.
     """
-    outlines = np.stack(
-        [frozen(points, np.float64, last=(2,)) for points in (source, target)]
-        if len(source) == len(target)
-        else _unlike(source, target)
-    )
-    total = outlines.shape[1]
-    marks = np.zeros(total, bool) if corners is None else np.asarray(corners, dtype=bool)
-    if total < 3 or marks.shape != (total,):
-        raise ShapeError(f"{total} samples and {len(marks)} corner marks do not make two outlines")
+    source, target = (frozen(points, np.float64, last=(2,)) for points in (source, target))
+    marks = np.zeros(len(source), bool) if corners is None else np.asarray(corners, dtype=bool)
+    if not len(source) == len(target) == len(marks) >= 3:
+        raise ShapeError(
+            f"{len(source)} and {len(target)} samples with {len(marks)} corner marks; "
+            "they must be as many, and at least 3"
+        )
+    outlines = np.stack([source, target])
     area = polygon_area(outlines)
     if (area <= 0).any():
-        raise OutlineError("an outline has no area, or crosses itself")
-    scale = 1 / np.sqrt(area)
-    middle = outlines.mean(axis=1, keepdims=True)
-    contours = Contours.of((outlines - middle) * scale[:, None, None])
+        raise OutlineError("an outline has no area, runs anticlockwise or crosses itself")
+    unit = 1 / np.sqrt(area)[:, None, None]
+    step = np.sqrt(((np.roll(outlines, -1, axis=1) - outlines) ** 2).sum(-1))
+    round_about = step.sum(axis=1) * unit[:, 0, 0]
+    order = slice(None, None, -1 if round_about[0] > round_about[1] else 1)  # rounder shape first
+    start = far_sample(outlines * unit)
 
-    candidates = candidate_nodes(contours.points, marks, CANDIDATES)
-    for level in LEVELS:
-        found = Search.over(contours, candidates, level).cheapest()
-        if np.isfinite(found.cost):
-            break
-    nodes, faces, untouched = _sound(contours, marks, found.quads, found.triangles)
+    from_start = np.roll(outlines, -start, axis=1)[order]
+    contours = Contours.of((from_start - from_start[:, :1]) * unit[order])
+    draft = _search(contours, np.roll(marks, -start), quads)
+    nodes, faces = _sound(contours, draft)
 
-    points = faces.points / scale[:, None, None] + middle
-    points[:, : len(nodes)] = outlines[:, nodes]
-    figures = face_figures(faces.points[:, faces.quads])
-    waste = arc_waste(contours, nodes, np.roll(nodes, -1)).sum(axis=-1)
+    # Back to the samples' own start, and to the units and the order of the input.
+    count = len(nodes)
+    samples = (nodes + start) % len(source)
+    turn = int(samples.argmin())
+    samples = np.roll(samples, -turn)
+    inner = faces.points[order, count:] / unit + outlines[:, start : start + 1]
+    points = np.concatenate([outlines[:, samples], inner], axis=1)
+    number = np.arange(points.shape[1])
+    number[:count] = (number[:count] - turn) % count
+    pair = MeshPair(points[0], points[1], number[faces.quads], number[faces.triangles])
+
+    figures = face_figures(points[:, pair.quads])
+    untouched = len(faces.quads) == len(draft.quads) > 0
+    untouched &= len(faces.triangles) == len(draft.triangles)
+    lost = left_out(contours, nodes)[order]
     return MatchedMesh(
-        MeshPair(points[0], points[1], faces.quads, faces.triangles),
-        frozen(nodes, np.intp, ndim=1),
-        "overlay" if points.shape[1] > len(nodes) else "search" if untouched else "repaired",
+        pair,
+        frozen(samples, np.intp, ndim=1),
+        "overlay" if inner.size else "search" if untouched else "repaired",
         float(figures.sine.min(initial=1.0)),
         float(figures.perspective.max(initial=1.0)),
-        (float(waste[0]), float(waste[1])),
+        (float(lost[0]), float(lost[1])),
     )
 
 
-def _unlike(source: Points, target: Points) -> list[Points]:
-    raise ShapeError(f"{len(source)} source samples and {len(target)} target samples")
+def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
+    """Search for a mesh, and once more round its nodes if it is not sound everywhere."""
+    pull = np.where(corners, CORNER_PULL, 0.0)
+    draft = None
+    for count in ROUNDS:
+        kept = None if draft is None else draft.nodes
+        wanted = count if quads is None else max(count, CANDIDATES_A_QUAD * quads)
+        candidates = candidate_nodes(contours.points, corners, wanted, kept)
+        for level in LEVELS:
+            search = Search.over(contours, candidates, level)
+            found = search.cheapest(QUAD_PRICE)
+            if np.isfinite(found.cost):
+                break
+        else:
+            continue
+        if quads is not None:
+            found = _with_about(search, quads)
+        draft = _Draft.of(found)
+        nodes = slid(contours, pull, draft.nodes, draft.quads, draft.triangles)
+        draft = _Draft(nodes, draft.quads, draft.triangles)
+        figures = face_figures(contours.points[:, nodes[draft.quads]])
+        if not len(draft.triangles) and figures.usable.all():
+            break
+    if draft is None:
+        nodes = np.sort(simplified(contours.points, corners, FALLBACK_NODES))
+        draft = _Draft(nodes, np.zeros((0, 4), np.intp), np.zeros((0, 3), np.intp))
+    return draft
 
 
-def _sound(
-    contours: Contours, corners: Mask, quads: Index, triangles: Index
-) -> tuple[Index, Faces, bool]:
-    """Slide the nodes of a mesh, then mend what is not sound.
+def _with_about(search: Search, quads: int) -> Dissection:
+    """The cheapest mesh at the price of a quad that brings it nearest to a number of quads."""
+    low, high = PRICES
+    best = search.cheapest(QUAD_PRICE)
+    for _ in range(PRICE_STEPS):
+        price = (low + high) / 2
+        found = search.cheapest(price)
+        if abs(len(found.quads) - quads) < abs(len(best.quads) - quads):
+            best = found
+        if len(found.quads) > quads:
+            low = price
+        else:
+            high = price
+    return best
 
-    Returns the nodes, the faces over them, and whether nothing had to be mended.
+
+def _sound(contours: Contours, draft: _Draft) -> tuple[Index, Faces]:
+    """Make the node polygons simple and mend the faces that are not sound.
+
+    Returns the nodes, increasing, and the faces over them.
     """
-    nodes = np.unique(np.concatenate([quads.ravel(), triangles.ravel()]))
-    if len(nodes) < 3:
-        nodes = simplified(contours.points, corners, FALLBACK_NODES)
-    quads, triangles = np.searchsorted(nodes, quads), np.searchsorted(nodes, triangles)
-    nodes = slid(contours, corners, nodes, quads, triangles)
-    sides = [np.stack([f, np.roll(f, -1, axis=1)], axis=-1) for f in (quads, triangles)]
-    samples = nodes[np.concatenate([s.reshape(-1, 2) for s in sides])]
-    nodes = simple_nodes(contours.points, np.sort(nodes))
+    sides = [np.stack([f, np.roll(f, -1, axis=1)], -1) for f in (draft.quads, draft.triangles)]
+    samples = draft.nodes[np.concatenate([s.reshape(-1, 2) for s in sides])]
+    nodes = simple_nodes(contours.points, np.sort(draft.nodes))
     chords = np.unique(np.sort(np.searchsorted(nodes, samples), axis=1), axis=0)
-    faces = repaired(contours.points[:, nodes], chords)
-    return nodes, faces, len(faces.quads) == len(quads) and len(faces.triangles) == len(triangles)
+    return nodes, repaired(contours.points[:, nodes], chords)

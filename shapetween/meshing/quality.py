@@ -6,14 +6,13 @@ Corners come as ``(2, ..., K, 2)``: source and target first, then any stack of f
    Animations", ICIAP 2007.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from shapetween.arrays import Floats, Mask, Points
-from shapetween.geometry.polygon import cross, polygon_area
 
 __all__ = ["MAX_PERSPECTIVE", "MIN_CORNER_SINE", "USABLE_SINE", "FaceFigures", "face_figures"]
-
-from dataclasses import dataclass
 
 #: Least corner sine of a quad. Raise it and more of a shape is left to triangles; lower it and
 #: quads stay whose homography is mostly rounding error and whose in-betweens are slivers.
@@ -69,19 +68,20 @@ def face_figures(corners: Points) -> FaceFigures:
     triangles that leave out one corner each. A homography keeps it up to the factors w, so w at a
     corner is the ratio of these areas between the shapes; no homography need be solved for.
     """
-    leaving = np.roll(corners, -1, axis=-2) - corners
-    turns = cross(np.roll(leaving, 1, axis=-2), leaving)
-    lengths = np.sqrt((leaving**2).sum(-1))
-    size = lengths * np.roll(lengths, 1, axis=-1)
-    sine = (turns / np.where(size > 0, size, 1.0)).min(axis=(0, -1))
+    # Corners first and as complex numbers: twenty times fewer and longer inner loops.
+    z = np.ascontiguousarray(np.moveaxis(corners[..., 0] + 1j * corners[..., 1], -1, 0))
+    z -= z.mean(axis=0)
+    following = np.roll(z, -1, axis=0)
+    leaving = following - z
+    product = np.roll(leaving, 1, axis=0).conj() * leaving
+    turns, size = product.imag, abs(product)
+    sine = (turns / np.where(size > 0, size, 1.0)).min(axis=(0, 1))
 
     convex = sine > 0
-    safe = np.where(convex[..., None], turns, 1.0)
-    w = safe[1] / safe[0]
-    perspective = np.where(convex, w.max(-1) / w.min(-1), np.inf)
+    w = np.where(convex, turns[:, 1], 1.0) / np.where(convex, turns[:, 0], 1.0)
+    perspective = np.where(convex, w.max(axis=0) / w.min(axis=0), np.inf)
 
-    centred = corners - corners.mean(axis=-2, keepdims=True)
-    a, b = centred[..., 0] + 1j * centred[..., 1]
-    spread = (abs(a) ** 2 + abs(b) ** 2).sum(-1)
-    misfit = spread - 2 * abs((b * a.conj()).sum(-1))
-    return FaceFigures(sine, perspective, polygon_area(corners).mean(axis=0), misfit)
+    area = (z.conj() * following).imag.sum(axis=0).mean(axis=0) / 2
+    spread = (z.real**2 + z.imag**2).sum(axis=(0, 1))
+    misfit = spread - 2 * abs((z[:, 0].conj() * z[:, 1]).sum(axis=0))
+    return FaceFigures(sine, perspective, area, misfit)

@@ -21,7 +21,7 @@ __all__ = ["LEVELS", "Level", "Search", "quad_prices", "side_prices"]
 QUAD_PRICE = 0.5
 
 #: Price of the whole area where no quad that moves well covers it.
-UNCOVERED_PRICE = 25.0
+UNCOVERED_PRICE = 100.0
 
 #: Price of a quad that does not move well, besides its area.
 UNUSABLE_PRICE = 1.5
@@ -203,7 +203,7 @@ def _link_prices(contours: Contours, nodes: Index, level: Level) -> tuple[Floats
     closing[-1] = np.inf
 
     points = contours.points[:, nodes]
-    outside = np.stack([outside_lengths(ring, nodes) for ring in contours.points])
+    outside = outside_lengths(contours.points, nodes)
     lengths = np.sqrt(((points[:, :, None] - points[:, None]) ** 2).sum(-1))
     chords = OUTSIDE_PRICE * outside.sum(axis=0) + LENGTH_PRICE * lengths.sum(axis=0)
     return sides, np.where((outside < level.outside).all(axis=0), chords, np.inf), closing
