@@ -136,6 +136,7 @@ class Carrier:
             turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))  # (F, P)
             local = rotations(turned) @ linear  # (F, P, 2, 2)
             result += weight[:, None, None, None] * (offset @ np.swapaxes(local, -1, -2))
+        result[:, :, 3] = np.roll(result[:, :, 0], -1, axis=1)  # equal but for rounding
         self._joints.smooth(result, t)
         result[t == 0] = self._pieces.source
         result[t == 1] = self._pieces.target

@@ -56,4 +56,6 @@ class Outline:
 
     def transformed(self, matrix: Affine) -> "Outline":
         """Every control point mapped by an affine map, (2, 3)."""
-        return Outline(self.curves @ matrix[:, :2].T + matrix[:, 2], self.closed)
+        # Term by term: a matrix product may round equal points differently by their place.
+        x, y = self.curves[..., :1], self.curves[..., 1:]
+        return Outline(x * matrix[:, 0] + y * matrix[:, 1] + matrix[:, 2], self.closed)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,12 +18,20 @@ from shapetween.observe import Observer, unobserved
 from shapetween.outline import Outline
 from shapetween.paint import Style
 from shapetween.ring import RingMorph, morph_ring
+from shapetween.tidy import tidy
+
+if TYPE_CHECKING:
+    import shapely
 
 __all__ = ["Options", "Prepared", "ShapeMorph", "prepare"]
 
 #: Chords of a curve when an outline is first checked for crossings, and when one was found: a
 #: coarse polygon may touch itself in a slit where the curve does not.
 CHECK_CHORDS, RECHECK_CHORDS = 12, 96
+
+#: Share of its area by which an outline may overlap itself and still count as simple: editors
+#: round coordinates and leave closing lines that step back by the last digit.
+NEGLIGIBLE_FOLD = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,8 +204,8 @@ def _checked(outline: Outline, name: str) -> Outline:
         raise OutlineError(f"{name}: the outline encloses no area")
     for chords in (CHECK_CHORDS, RECHECK_CHORDS):
         polygon = shapely.Polygon(flatten(outline.curves, chords))
-        if polygon.is_valid:
-            return outline if outline.area > 0 else outline.reversed()
+        if polygon.is_valid or _fold(polygon, outline.area) <= NEGLIGIBLE_FOLD:
+            return tidy(outline if outline.area > 0 else outline.reversed())
     reason = shapely.is_valid_reason(polygon)
     where = reason[reason.find("[") + 1 : reason.find("]")].split()
     place = " near " + ", ".join(f"{float(x):.6g}" for x in where) if len(where) == 2 else ""
@@ -204,3 +213,10 @@ def _checked(outline: Outline, name: str) -> Outline:
         f"{name}: the outline crosses or touches itself{place}; simplify it in an editor "
         "(union of the path with itself)"
     )
+
+
+def _fold(polygon: "shapely.Polygon", signed_area: float) -> float:
+    """Area counted otherwise by crossings than by the even-odd rule, as a share."""
+    import shapely
+
+    return abs(float(shapely.make_valid(polygon).area) / abs(signed_area) - 1)

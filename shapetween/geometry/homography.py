@@ -19,12 +19,12 @@ def quad_homographies(source: Quads, target: Quads) -> Floats:
 
     Parameters
     ----------
-    source, target : (Q, 4, 2) float64
+    source, target : (..., 4, 2) float64
         Corners; no three of a quad on one line.
 
     Returns
     -------
-    (Q, 3, 3) float64
+    (..., 3, 3) float64
         Scaled so that the entry of the source centroid's weight, h3 . (centroid, 1), is 1.
 
     Notes

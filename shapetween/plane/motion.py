@@ -21,16 +21,17 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.arrays import Floats, Index, Points, times
+from shapetween.geometry.rotation import rotations
 from shapetween.plane.banded import BandSystem
 from shapetween.plane.jacobians import (
-    coherent_angles,
     gradients,
     jacobians,
     polar_angles,
     polar_path,
-    rotations,
+    spread_angles,
 )
 from shapetween.plane.layout import ring_edges
 from shapetween.plane.mesh import PlaneMesh
@@ -38,8 +39,9 @@ from shapetween.plane.triangulate import triangle_edges
 
 __all__ = ["InsideTarget", "PlaneMotion", "Stiffness"]
 
-InsideTarget: TypeAlias = Callable[[Floats], Floats]
-"""Wanted Jacobians of the inside triangles at times (F,), shape (F, T_inside, 2, 2), user units."""
+InsideTarget: TypeAlias = Callable[[Floats, Floats], Floats]
+"""Wanted Jacobians of the inside triangles at times (F,), given what they would do by themselves;
+both of shape (F, T_inside, 2, 2), from pose to pose."""
 
 #: Weight of the linear blend that carries triangles which are turned over at an end. It only has to
 #: keep the system regular.
@@ -111,7 +113,7 @@ class PlaneMotion:
         (hats_a, areas_a), (hats_b, areas_b) = gradients(corners[0]), gradients(corners[1])
         whole = jacobians(hats_a, corners[1])
         whole[mesh.turned] = mesh.body.matrix
-        angles = mesh.body.angle + coherent_angles(
+        angles = mesh.body.angle + spread_angles(
             rotations(np.array(-mesh.body.angle)) @ whole,
             mesh.triangles,
             areas_a + areas_b,
@@ -135,9 +137,9 @@ class PlaneMotion:
         pulls = pull_a, pull_b @ np.swapaxes(np.linalg.inv(whole), 1, 2)
         return cls(mesh, target, ends, whole, angles, pulls, edges, system, (weights_a, weights_b))
 
-    def vertices(self, t: Floats) -> Points:
-        """Vertices at the times (F,), in user units, (F, V, 2)."""
-        mesh = self.mesh
+    def vertices(self, t: ArrayLike) -> Points:
+        """Vertices at the times (F,), in user units, (F, V, 2); the mesh's own at 0 and 1."""
+        mesh, t = self.mesh, times(t)
         time, body = t[:, None, None], mesh.body.at(t)
         linear = (1 - time) * self._ends[0] + time * self._ends[1]
         at = linear.copy()
@@ -184,11 +186,8 @@ class PlaneMotion:
         """Wanted Jacobians of all triangles, from pose to pose, (F, T, 2, 2)."""
         wanted = polar_path(self._jacobians, self._angles, t)
         if self.target is not None:
-            source, target = self.mesh.poses
-            scale = source.size / ((1 - t) * source.size + t * target.size)
-            inside = scale[:, None, None, None] * self.target(t)
-            use = self.mesh.inside & ~self.mesh.turned
-            wanted[:, use] = inside[:, use[self.mesh.inside]]
+            inside = self.mesh.inside
+            wanted[:, inside] = self.target(t, wanted[:, inside])
         return wanted
 
 

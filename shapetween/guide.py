@@ -1,0 +1,162 @@
+"""What the quads ask of a finer mesh inside them, at every time.
+
+A quad says how the plane moves within it: by the homography onto the place that alignment gives
+it. A triangle of the finer mesh is told to move with its quad, and to make good, evenly in time,
+the difference between where its quad takes it and where it ends. So it starts as it was, ends as
+it must, and follows the projective movement on the way.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Mask, Points, Quads
+from shapetween.geometry.homography import homogeneous_weights, quad_homographies
+from shapetween.geometry.polygon import corner_sines
+from shapetween.geometry.rotation import linear_between, polar
+from shapetween.interpolate import Tween
+from shapetween.mesh import MeshPair
+
+__all__ = ["QuadGuide", "usable_quads"]
+
+#: Least corner sine, at both ends and on the way, and largest ratio of w, of a quad that guides.
+#: Worse ones throw what they carry about.
+LEAST_SINE, LARGEST_RATIO = 0.12, 6.0
+
+#: Even times at which a quad's shape, and at which its perspective, is looked at.
+SHAPE_TIMES, RATIO_TIMES = 33, 5
+
+#: Most that a triangle may differ from its quad at the end: turn in radians, ratio of areas.
+LARGEST_TURN, LARGEST_AREA = 1.0, 6.0
+
+#: Share of the way from a quad's nearest point to its centroid at which a triangle outside it
+#: reads the homography: on the very edge it may belong to no side.
+INWARD = 0.02
+
+#: How far the square root of the area is held to its straight path: 0 lets limbs keep their
+#: length, 1 keeps the area.
+AREA_EXPONENT = 0.5
+
+
+def usable_quads(pair: MeshPair, tween: Tween) -> Mask:
+    """Which quads move well enough by their homographies to lead others, (Q,).
+
+    Decided once for the whole movement: a quad that stopped leading half way would jolt.
+    """
+    moving = tween.vertices(np.linspace(0, 1, SHAPE_TIMES))[:, pair.quads]
+    good: Mask = np.asarray((corner_sines(moving) > LEAST_SINE).all(axis=(0, 2)))
+    source = pair.source[pair.quads[good]]
+    for corners in moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)][1:]:
+        weights = homogeneous_weights(quad_homographies(source, corners[good]), source)
+        ratio = weights.max(axis=1) / weights.min(axis=1)
+        held = (weights.min(axis=1) > 0) & (ratio < LARGEST_RATIO)
+        good[np.flatnonzero(good)[~held]] = False
+        source = source[held]
+    return good
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class QuadGuide:
+    """Jacobians that the usable quads ask of triangles, at any time.
+
+    Attributes
+    ----------
+    tween : Tween
+        Moves the quads' vertices.
+    quads : (T, 4) intp
+        The quad that leads each triangle.
+    source : (T, 4, 2) float64
+        Its corners at the start.
+    places : (T, 2) float64
+        Where its homography is read.
+    follows : (T,) bool
+        Which triangles are led; the others' Jacobians are their own.
+    """
+
+    tween: Tween
+    quads: Index
+    source: Quads
+    places: Points
+    follows: Mask
+    _angles: Floats
+    _stretches: Floats
+    _roots: Floats
+
+    @classmethod
+    def of(cls, pair: MeshPair, tween: Tween, centroids: Points, jacobians: Floats) -> "QuadGuide":
+        """Find the quad that leads each triangle.
+
+        Parameters
+        ----------
+        pair : MeshPair
+        tween : Tween
+            The pair's movement.
+        centroids : (T, 2) float64
+            Of the triangles at the start.
+        jacobians : (T, 2, 2) float64
+            Of the triangles' maps from start to end, determinants positive.
+        """
+        good = np.flatnonzero(usable_quads(pair, tween))
+        if not len(good):
+            return None
+        corners = pair.source[pair.quads[good]]
+        nearest, places = _nearest_quads(centroids, corners)
+        quads = pair.quads[good[nearest]]
+        source = corners[nearest]
+        end = _jacobians(source, pair.target[quads], places)
+        residual = np.linalg.inv(end) @ jacobians
+        areas = np.linalg.det(residual)
+        sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
+        angles, stretches = polar(np.where(sound[:, None, None], residual, np.eye(2)))
+        follows = sound & (np.abs(angles) < LARGEST_TURN)
+        roots = np.sqrt(np.abs(np.linalg.det(jacobians)))
+        return cls(tween, quads, source, places, follows, angles, stretches, roots)
+
+    def __call__(self, t: Floats, own: Floats) -> Floats:
+        """Wanted Jacobians at the times (F,), (F, T, 2, 2).
+
+        Parameters
+        ----------
+        t : (F,) float64
+        own : (F, T, 2, 2) float64
+            What the triangles would do by themselves; those that are not led keep to it.
+        """
+        corners = self.tween.vertices(t)[:, self.quads]
+        wanted = _jacobians(self.source, corners, self.places)
+        wanted = wanted @ linear_between(self._angles, self._stretches, t)
+        size = np.sqrt(np.abs(np.linalg.det(wanted)))
+        straight = (1 - t)[:, None] + t[:, None] * self._roots
+        factor = (straight / np.where(size > 0, size, 1.0)) ** AREA_EXPONENT
+        led = factor[..., None, None] * wanted
+        return np.where(self.follows[:, None, None], led, own)
+
+
+def _jacobians(source: Quads, target: Quads, points: Points) -> Floats:
+    """Jacobian of each homography at one point: source (T, 4, 2), target (..., T, 4, 2)."""
+    centre = source.mean(axis=-2)
+    local = np.broadcast_to(source - centre[:, None], target.shape)
+    matrix = quad_homographies(local, target)
+    point = points - centre
+    w = (matrix[..., 2, :2] * point).sum(-1) + matrix[..., 2, 2]
+    image = (matrix[..., :2, :2] @ point[..., None])[..., 0] + matrix[..., :2, 2]
+    image = image / w[..., None]
+    outer = image[..., :, None] * matrix[..., 2, None, :2]
+    return np.asarray((matrix[..., :2, :2] - outer) / w[..., None, None])
+
+
+def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:
+    """For each point the quad that holds it, or the nearest one, and a place within that quad."""
+    side = np.roll(quads, -1, axis=1) - quads  # (Q, 4, 2)
+    offset = points[:, None, None] - quads  # (P, Q, 4, 2)
+    across = side[..., 0] * offset[..., 1] - side[..., 1] * offset[..., 0]
+    within = np.asarray((across >= 0).all(axis=-1))  # (P, Q)
+    share = np.clip((offset * side).sum(-1) / (side**2).sum(-1), 0.0, 1.0)
+    foot = quads + share[..., None] * side
+    away = np.linalg.norm(points[:, None, None] - foot, axis=-1)
+    distance = np.where(within, 0.0, away.min(axis=-1))
+    nearest = distance.argmin(axis=1)
+    row = np.arange(len(points))
+    edge = foot[row, nearest, away[row, nearest].argmin(axis=-1)]
+    place = np.where(within[row, nearest, None], points, edge)
+    centre = quads.mean(axis=1)[nearest]
+    return nearest, np.asarray(place + INWARD * (centre - place))

@@ -1,0 +1,88 @@
+"""One outline in as few curves as draw it: what an editor cut up or rounded off is put together.
+
+How a path was cut into commands then makes no difference to how it moves.
+"""
+
+import numpy as np
+
+from shapetween.arrays import Curves, Mask
+from shapetween.geometry.bezier import sub_curves
+from shapetween.outline import Outline
+
+__all__ = ["tidy"]
+
+#: Extent of a curve, as a share of the outline's, up to which it is left out and its ends joined.
+#: Closing lines over the last rounded digit are of this size; larger would move what is drawn by
+#: more than the last digit that is printed.
+TINY = 2e-5
+
+#: Distance, as a share of the outline's extent, by which a joined curve may miss the two that it
+#: stands for.
+SAME_CURVE = 1e-6
+
+
+def tidy(outline: Outline) -> Outline:
+    """The same closed outline without curves of no extent, and with cut curves joined again.
+
+    Parameters
+    ----------
+    outline : Outline
+        Closed.
+    """
+    low, high = outline.box
+    size = float(np.max(high - low))
+    curves = _without_points(outline.curves, TINY * size)
+    while len(curves) > 2:
+        joined, good = _joined(curves, SAME_CURVE * size)
+        taken = _apart(np.flatnonzero(good).tolist(), len(curves))
+        if not taken:
+            break
+        curves = curves.copy()
+        curves[taken] = joined[taken]
+        curves = np.delete(curves, (np.array(taken) + 1) % len(curves), axis=0)
+    return Outline(curves)
+
+
+def _apart(indices: list[int], count: int) -> list[int]:
+    """Indices of which no two are neighbours on a cycle of `count`, the first ones kept."""
+    kept: list[int] = []
+    for k in indices:
+        if (kept and k - kept[-1] < 2) or (kept and k == count - 1 and kept[0] == 0):
+            continue
+        kept.append(k)
+    return kept
+
+
+def _without_points(curves: Curves, tiny: float) -> Curves:
+    extent = np.ptp(curves, axis=1).max(axis=1)
+    keep = extent > tiny
+    if keep.all() or keep.sum() < 2:
+        return curves
+    curves = curves[keep]
+    curves[:, 0] = np.roll(curves[:, 3], 1, axis=0)
+    return curves
+
+
+def _joined(curves: Curves, tolerance: float) -> tuple[Curves, Mask]:
+    """For each curve and the next, the curve they would be the two parts of, and if they are.
+
+    A cubic cut at t has handles on both sides of the cut in the ratio t to 1 - t.
+    """
+    after = np.roll(curves, -1, axis=0)
+    handle = np.linalg.norm(curves[:, 3] - curves[:, 2], axis=1)
+    total = handle + np.linalg.norm(after[:, 1] - after[:, 0], axis=1)
+    share = np.clip(handle / np.where(total > 0, total, 1.0), 1e-3, 1 - 1e-3)
+    first, last = share[:, None], 1 - share[:, None]
+    joined = np.stack(
+        [
+            curves[:, 0],
+            curves[:, 0] + (curves[:, 1] - curves[:, 0]) / first,
+            after[:, 3] + (after[:, 2] - after[:, 3]) / last,
+            after[:, 3],
+        ],
+        axis=1,
+    )
+    zero, one = np.zeros(len(share)), np.ones(len(share))
+    missed = np.abs(sub_curves(joined, zero, share) - curves).max(axis=(1, 2))
+    missed = np.maximum(missed, np.abs(sub_curves(joined, share, one) - after).max(axis=(1, 2)))
+    return joined, np.asarray(missed <= tolerance)
