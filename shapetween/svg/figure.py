@@ -1,6 +1,7 @@
 """One painted element to the shapes it draws, in the drawing's user units."""
 
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,13 +11,17 @@ from shapetween.outline import Outline
 from shapetween.paint import Style
 from shapetween.svg.document import Document
 from shapetween.svg.painting import style_of
-from shapetween.svg.pathdata import PathData
+from shapetween.svg.pathdata import Subpath
 from shapetween.svg.rings import ring_of
 from shapetween.svg.shapes import basic_shape
+from shapetween.svg.transform import apply
 from shapetween.svg.units import GREATEST, number
 from shapetween.svg.walk import LOST_MARKERS, Placed
 
-__all__ = ["geometry_of", "shapes_of"]
+__all__ = ["rings_of", "shapes_of", "subpaths_of"]
+
+LOST_TAIL = "a shape was drawn only as far as its data is sound"
+LOST_RANGE = "a ring with numbers out of all range was left out"
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(["'])(.*)\1\s*\)""", re.DOTALL)
@@ -25,6 +30,8 @@ _CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(["'])(.*)\1\
 def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     """What a shape's element paints: nothing, a shape, or two where the stroke lies under the fill.
 
+    Clips are not yet applied.
+
     Raises
     ------
     BudgetError
@@ -32,12 +39,11 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     properties = placed.frame.properties
     if properties.get("visibility", "visible") != "visible":
         return []
-    data = geometry_of(document, placed)
-    if not data.subpaths:
+    subpaths = subpaths_of(document, placed)
+    if not subpaths:
         return []
-    style = style_of(
-        document, placed.frame, data.subpaths, number(placed.element.get("pathLength"))
-    )
+    path_length = number(placed.element.get("pathLength"))
+    style = style_of(document, placed.frame, subpaths, path_length)
     if style.fill is None and style.stroke is None:
         return []
     if any(properties.get(name, "none") != "none" for name in _MARKERS):
@@ -47,14 +53,19 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
         layers = [replace(style, fill=None), replace(style, stroke=None)]
     shapes = []
     for layer in layers:
-        rings = _rings(document, placed, data, layer)
+        rings = rings_of(document, placed, subpaths, layer)
         if rings:
             shapes.append(Shape(rings, layer, placed.frame.name))
     return shapes
 
 
-def geometry_of(document: Document, placed: Placed) -> PathData:
-    """The subpaths of a shape's element in its local coordinates; what is unsound is counted."""
+def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
+    """The subpaths of a shape's element in its local coordinates; what is unsound is counted.
+
+    Raises
+    ------
+    BudgetError
+    """
     values = dict(placed.values)
     path = _CSS_PATH.fullmatch(values.get("d", "").strip())
     if path:
@@ -65,33 +76,48 @@ def geometry_of(document: Document, placed: Placed) -> PathData:
     if data.problem:
         name = placed.frame.name
         where = f"in {name!r}, " if name else ""
-        document.losses.add(
-            "a shape was drawn only as far as its data is sound", where + data.problem
+        document.losses.add(LOST_TAIL, where + data.problem)
+    return _in_range(document, data.subpaths)
+
+
+def rings_of(
+    document: Document, placed: Placed, subpaths: Sequence[Subpath], style: Style
+) -> tuple[Outline, ...]:
+    """Subpaths as rings in the drawing's user units, without those of which nothing is seen."""
+    stroke = style.stroke
+    with np.errstate(all="ignore"):  # numbers that overflow are left out below
+        mapped = [
+            Subpath(
+                apply(placed.frame.matrix, subpath.curves),
+                apply(placed.frame.matrix, subpath.start),
+                subpath.closed,
+            )
+            for subpath in subpaths
+        ]
+    rings = (
+        ring_of(
+            subpath,
+            filled=style.fill is not None,
+            stroked=stroke is not None,
+            dots=stroke is not None and stroke.cap != "butt",
         )
-    return data
+        for subpath in _in_range(document, mapped)
+    )
+    return tuple(ring for ring in rings if ring is not None)
+
+
+def _in_range(document: Document, subpaths: Iterable[Subpath]) -> tuple[Subpath, ...]:
+    """Subpaths without those that overflowed, or hold what is not a number."""
+    kept = []
+    for subpath in subpaths:
+        if np.abs(subpath.curves).max(initial=0.0) <= GREATEST:
+            kept.append(subpath)
+        else:
+            document.losses.add(LOST_RANGE)
+    return tuple(kept)
 
 
 def _stroke_first(placed: Placed) -> bool:
     order = placed.frame.properties.get("paint-order", "normal").lower().split()
     first = next((word for word in order if word in ("fill", "stroke")), "fill")
     return first == "stroke"
-
-
-def _rings(document: Document, placed: Placed, data: PathData, style: Style) -> tuple[Outline, ...]:
-    stroke = style.stroke
-    rings = []
-    with np.errstate(all="ignore"):
-        for subpath in data.subpaths:
-            if not np.abs(subpath.curves).max(initial=0.0) <= GREATEST:  # or not a number
-                document.losses.add("a ring with numbers out of all range was left out")
-                continue
-            ring = ring_of(
-                subpath,
-                placed.frame.matrix,
-                filled=style.fill is not None,
-                stroked=stroke is not None,
-                dots=stroke is not None and stroke.cap != "butt",
-            )
-            if ring is not None:
-                rings.append(ring)
-    return tuple(rings)

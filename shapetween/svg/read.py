@@ -13,6 +13,7 @@ import numpy as np
 from shapetween.arrays import Floats
 from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import BudgetError, InputError
+from shapetween.svg.clip import Clipper
 from shapetween.svg.document import Document, title_of
 from shapetween.svg.figure import shapes_of
 from shapetween.svg.limits import Limits
@@ -76,11 +77,14 @@ def _read(data: bytes, name: str, limits: Limits) -> Drawing:
     frame = Frame(IDENTITY, {}, Viewport(width, height), pixel)
 
     shapes: list[Shape] = []
+    clipper = Clipper(document)
     veiled: dict[Element, list[Floats]] = defaultdict(list)
     for placed in walk(document, root, frame):
-        for shape in shapes_of(document, placed):
-            shapes.append(shape)
-            if placed.frame.translucent:
+        for whole in shapes_of(document, placed):
+            clips = placed.frame.clips
+            parts = clipper.clipped(whole, clips) if clips else [whole]
+            shapes += parts
+            for shape in parts if placed.frame.translucent else ():
                 box = _shape_box(shape)
                 for group in placed.frame.translucent:
                     veiled[group].append(box)

@@ -4,13 +4,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.arrays import Affine, Curves
+from shapetween.arrays import Curves
 from shapetween.drawing import Box
 from shapetween.geometry.bezier import line_curves
 from shapetween.geometry.polygon import cross
 from shapetween.outline import Outline
 from shapetween.svg.pathdata import Subpath
-from shapetween.svg.transform import apply
 
 __all__ = ["bounds", "ring_of"]
 
@@ -42,15 +41,12 @@ def bounds(subpaths: Sequence[Subpath]) -> Box:
     return Box(*least.tolist(), *(greatest - least).tolist())
 
 
-def ring_of(
-    subpath: Subpath, matrix: Affine, *, filled: bool, stroked: bool, dots: bool
-) -> Outline | None:
-    """The ring that a subpath draws, mapped by a matrix.
+def ring_of(subpath: Subpath, *, filled: bool, stroked: bool, dots: bool) -> Outline | None:
+    """The ring that a subpath draws.
 
     Parameters
     ----------
     subpath : Subpath
-    matrix : (2, 3) float64
     filled, stroked : bool
         How the shape is painted. A ring that is only filled is closed; one that is stroked stays
         open if it was drawn so.
@@ -62,12 +58,11 @@ def ring_of(
     Outline or None
         None if there is nothing to see.
     """
-    curves = apply(matrix, subpath.curves)
+    curves = subpath.curves
     curves = curves[(curves != curves[:, :1]).any(axis=(1, 2))]
     if not len(curves):
         if stroked and dots and (subpath.closed or len(subpath.curves)):
-            point = apply(matrix, subpath.start)
-            return Outline(np.broadcast_to(point, (1, 4, 2)), subpath.closed)
+            return Outline(np.broadcast_to(subpath.start, (1, 4, 2)), subpath.closed)
         return None
     closed = subpath.closed or not stroked
     if closed:

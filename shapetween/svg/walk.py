@@ -11,6 +11,7 @@ import numpy as np
 
 from shapetween.arrays import Affine, Points
 from shapetween.drawing import Box
+from shapetween.svg.colours import parse_paint
 from shapetween.svg.document import Document, href, label
 from shapetween.svg.shapes import SHAPES
 from shapetween.svg.style import Properties
@@ -19,7 +20,7 @@ from shapetween.svg.units import Viewport, number
 from shapetween.svg.viewbox import fit, parse_view_box
 from shapetween.svg.xml import local_name
 
-__all__ = ["Clip", "Frame", "Placed", "walk"]
+__all__ = ["Clip", "Frame", "Placed", "entered", "walk"]
 
 GROUPS = frozenset({"g", "a", "svg", "switch", "use", "symbol"})
 #: What is left out, by element, in the words of the warning.
@@ -152,7 +153,7 @@ def walk(document: Document, start: Element, frame: Frame) -> Iterator[Placed]:
             if properties.get("visibility", "visible") == "visible":
                 document.losses.add(LOST_ELEMENTS[tag])
             continue
-        inner = _entered(document, element, properties, visit.frame)
+        inner = entered(document, element, properties, visit.frame)
         if inner is None:
             continue
         if tag in SHAPES:
@@ -178,10 +179,19 @@ def walk(document: Document, start: Element, frame: Frame) -> Iterator[Placed]:
             )
 
 
-def _entered(
+def entered(
     document: Document, element: Element, properties: Properties, outer: Frame
 ) -> Frame | None:
-    """The frame inside an element; None if nothing inside it is seen."""
+    """The frame inside an element, after its transform; None if nothing inside it is seen.
+
+    Parameters
+    ----------
+    document : Document
+    element : Element
+    properties : Properties
+        The element's computed properties.
+    outer : Frame
+    """
     matrix = outer.matrix
     font_size = _font_size(properties, outer)
     viewport = replace(outer.viewport, font_size=font_size)
@@ -203,7 +213,7 @@ def _entered(
             document.losses.add(text)
     if properties.get("mix-blend-mode", "normal") != "normal":
         document.losses.add("a blend mode was left out")
-    return replace(
+    frame = replace(
         outer,
         matrix=matrix,
         properties=properties,
@@ -211,6 +221,23 @@ def _entered(
         opacity=outer.opacity * opacity,
         translucent=(*outer.translucent, element) if opacity < 1 else outer.translucent,
     )
+    clip = _clip_of(document, element, frame)
+    return frame if clip is None else replace(frame, clips=(*frame.clips, clip))
+
+
+def _clip_of(document: Document, element: Element, frame: Frame) -> Clip | None:
+    """The clip path that an element names."""
+    text = frame.properties.get("clip-path", "none")
+    if text == "none":
+        return None
+    value = parse_paint(text)
+    if value is None:
+        document.losses.add("a clip path given as a CSS shape was left out")
+        return None
+    target = document.ids.get(value.reference)
+    if target is None or local_name(target) != "clipPath":
+        return None  # as if there were none
+    return Clip(frame, element, element=target)
 
 
 def _font_size(properties: Properties, outer: Frame) -> float:

@@ -1,0 +1,181 @@
+"""Clip paths and the edges of nested viewports, applied to shapes.
+
+A shape that its clips do not touch keeps its curves; one that they hide is gone; one that they cut
+becomes what is left of it, its stroke a shape of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from shapetween.drawing import Shape
+from shapetween.paint import Style
+from shapetween.svg.area import MOST_POINTS, Chords, filled_area, stroked_area
+from shapetween.svg.document import Document
+from shapetween.svg.figure import rings_of, subpaths_of
+from shapetween.svg.painting import fill_rule
+from shapetween.svg.rings import bounds
+from shapetween.svg.shapes import SHAPES
+from shapetween.svg.transform import affine, compose
+from shapetween.svg.walk import Clip, Frame, Placed, entered, walk
+from shapetween.svg.xml import local_name
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+__all__ = ["Clipper"]
+
+#: Share of a shape's area that a clip must hide to count as cutting it: edges that coincide, as
+#: in drawings exported with their frame as a clip, differ by rounding.
+LEAST_CUT = 1e-5
+
+#: Clip paths that clip clip paths; more is taken for a circle.
+MOST_NESTED = 8
+
+
+class Clipper:
+    """Applies the clips of one document, each region being built once.
+
+    Parameters
+    ----------
+    document : Document
+    """
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._regions: dict[tuple[object, ...], BaseGeometry | None] = {}
+
+    def clipped(self, shape: Shape, clips: Sequence[Clip]) -> list[Shape]:
+        """What clips leave of a shape: itself, nothing, its parts.
+
+        Parameters
+        ----------
+        shape : Shape
+            In the drawing's user units.
+        clips : sequence of Clip
+        """
+        region = self._common(clips)
+        if region is None or self._is_inside(shape, region):
+            return [shape]
+        if region.is_empty:
+            return []
+        stroke = shape.style.stroke
+        chords = Chords(shape.rings)
+        if chords.count > MOST_POINTS:
+            self._document.losses.add("a shape of too many points was not clipped")
+            return [shape]
+        layers: list[tuple[BaseGeometry, Shape]] = []
+        if shape.style.fill is not None:
+            filled = replace(shape, style=replace(shape.style, stroke=None))
+            layers.append((filled_area(chords.polylines, shape.style.fill_rule), filled))
+        if stroke is not None:
+            closed = [ring.closed for ring in shape.rings]
+            drawn = replace(shape, style=replace(shape.style, fill=stroke.paint, stroke=None))
+            layers.append((stroked_area(chords.polylines, closed, stroke), drawn))
+        left = [area.intersection(region) for area, _ in layers]
+        whole = sum(area.area for area, _ in layers)
+        if sum(area.area for area in left) >= (1 - LEAST_CUT) * whole:
+            return [shape]
+        if stroke is not None and stroke.dashes:
+            self._document.losses.add("a dashed stroke was clipped as a solid one")
+        parts = []
+        for area, (_, part) in zip(left, layers, strict=True):
+            if area.area > LEAST_CUT * whole:
+                rings = chords.rings(area)
+                parts.append(
+                    replace(part, rings=rings, style=replace(part.style, fill_rule="evenodd"))
+                )
+        return parts
+
+    @staticmethod
+    def _is_inside(shape: Shape, region: BaseGeometry) -> bool:
+        """Whether the box around all control points shows that nothing is cut."""
+        import shapely
+
+        points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
+        stroke = shape.style.stroke
+        margin = 0.0
+        if stroke is not None:
+            reach = stroke.miter_limit if stroke.join == "miter" else 1.5  # a square cap's corner
+            margin = stroke.width / 2 * max(reach, 1.5)
+        least, greatest = points.min(axis=0) - margin, points.max(axis=0) + margin
+        return bool(region.contains(shapely.box(*least, *greatest)))
+
+    def _common(
+        self, clips: Sequence[Clip], within: tuple[Element, ...] = ()
+    ) -> BaseGeometry | None:
+        """What all clips show; None if they hide nothing."""
+        common = None
+        for clip in clips:
+            region = self._region(clip, within)
+            if region is not None:
+                common = region if common is None else common.intersection(region)
+        return common
+
+    def _region(self, clip: Clip, within: tuple[Element, ...]) -> BaseGeometry | None:
+        import shapely
+
+        if clip.corners is not None:
+            return shapely.Polygon(clip.corners)
+        assert clip.element is not None  # a clip has either
+        base = self._base(clip)
+        if base is None:
+            return None
+        key = (clip.element, base.matrix.tobytes())
+        if key not in self._regions:
+            if clip.element in within or len(within) >= MOST_NESTED:
+                self._document.losses.add("a clip path that clips itself was left out")
+                return None
+            self._regions[key] = self._built(clip.element, base, (*within, clip.element))
+        return self._regions[key]
+
+    def _base(self, clip: Clip) -> Frame | None:
+        """The frame of a clip path's own coordinates; None if it cannot be known."""
+        frame = replace(clip.frame, properties={}, clips=(), uses=(), translucent=())
+        assert clip.element is not None
+        if clip.element.get("clipPathUnits", "").strip() != "objectBoundingBox":
+            return frame
+        tag = local_name(clip.clipped)
+        if tag not in SHAPES:
+            self._document.losses.add("a clip path in units of its group's box was left out")
+            return None
+        box = bounds(subpaths_of(self._document, Placed(clip.clipped, tag, clip.frame)))
+        step = affine(box.width, 0, 0, box.height, box.x, box.y)
+        viewport = replace(frame.viewport, width=1.0, height=1.0)
+        return replace(frame, matrix=compose(frame.matrix, step), viewport=viewport)
+
+    def _built(
+        self, element: Element, base: Frame, within: tuple[Element, ...]
+    ) -> BaseGeometry | None:
+        import shapely
+
+        if any(local_name(child) == "text" for child in element):
+            self._document.losses.add("a clip path with text was left out")
+            return None
+        properties = self._document.cascade.properties(element, {})
+        inner = entered(self._document, element, properties, base)
+        areas = [shapely.Polygon()]
+        for child in element if inner is not None else ():
+            if inner is None or local_name(child) not in SHAPES.keys() | {"use"}:
+                continue
+            for placed in walk(self._document, child, replace(inner, clips=())):
+                if placed.frame.properties.get("visibility", "visible") != "visible":
+                    continue
+                area = self._area(placed)
+                own = self._common(placed.frame.clips, within)
+                areas.append(area if own is None else area.intersection(own))
+        region = shapely.union_all(areas)
+        outer = self._common(inner.clips if inner is not None else (), within)
+        return region if outer is None else region.intersection(outer)
+
+    def _area(self, placed: Placed) -> BaseGeometry:
+        """What one element of a clip path covers."""
+        subpaths = subpaths_of(self._document, placed)
+        rings = rings_of(self._document, placed, subpaths, Style())
+        lines = Chords(rings).polylines if rings else []
+        return filled_area(lines, fill_rule(placed.frame.properties, "clip-rule"))
