@@ -134,11 +134,10 @@ def animate_number(
 def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Sequence[str]) -> None:
     """Let an attribute jump through values that have nothing between them.
 
-    `track` has one value for each sample; a change falls halfway between two samples.
+    `track` has one value for each sample, which holds until the next.
     """
     changes = [k for k in range(1, len(track)) if track[k] != track[k - 1]]
     if not changes:
         return
-    before, after = (clock.times[np.array(changes) - shift] for shift in (1, 0))
-    timing = clock.jumping((before + after) / 2, [track[k] for k in [0, *changes]])
+    timing = clock.jumping(clock.times[changes], [track[k] for k in [0, *changes]])
     ET.SubElement(element, "animate", {"attributeName": attribute, **timing})

@@ -1,20 +1,16 @@
 """A style that changes with time, as animated attributes of a path and of its gradients.
 
-No attribute ever runs to ``none``: browsers jump there, or never arrive. Paint that is absent for
-a while is the nearest paint at hand, fully transparent.
+No attribute ever runs to ``none``: browsers jump there, or never arrive. Nor to another gradient's
+``url()``, which some paint black; a change of gradient needs a path of its own.
 """
 
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
-from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
-from shapetween.blend import faded
-from shapetween.gradients import in_normal_form, solid_gradient
-from shapetween.paint import Colour, Gradient, Paint, Stroke, Style
+from shapetween.paint import Colour, Gradient, Paint, Stroke
 from shapetween.svg.animate import Clock, animate, animate_choice, animate_number, animate_transform
 from shapetween.svg.elements import (
     ALPHA_DECIMALS,
@@ -28,6 +24,7 @@ from shapetween.svg.elements import (
     style_attributes,
 )
 from shapetween.svg.numbers import number
+from shapetween.tracks import StyleTrack
 
 __all__ = ["animate_style"]
 
@@ -37,52 +34,37 @@ COLOUR_TOLERANCE = 1.5 / 255
 
 
 def animate_style(
-    path: ET.Element,
-    styles: Sequence[Style],
-    clock: Clock,
-    gradients: GradientDefs,
-    tolerance: float,
+    path: ET.Element, track: StyleTrack, clock: Clock, gradients: GradientDefs, tolerance: float
 ) -> None:
-    """Paint a path with the first of some styles, and let it run through the others.
+    """Paint a path with the first style of a track, and let it run through the others.
 
     Parameters
     ----------
     path : Element
-    styles : sequence of Style
-        One for each sample of the clock.
+    track : StyleTrack
+        One style for each sample of the clock; the path is hidden where they are not its own.
     clock : Clock
     gradients : GradientDefs
         Where to write gradients.
     tolerance : float
         How far lengths may be off between two keyframes, in user units.
     """
-    decimals = gradients.decimals
+    styles = track.styles
     _animate_paint(path, "fill", [style.fill for style in styles], clock, gradients, tolerance)
-    strokes = _strokes_throughout([style.stroke for style in styles])
+    strokes = [style.stroke for style in styles if style.stroke is not None]
     if strokes:
         paints = [stroke.paint for stroke in strokes]
         _animate_paint(path, "stroke", paints, clock, gradients, tolerance)
-    first = replace(styles[0], stroke=strokes[0] if strokes else None)
-    path.attrib.update(style_attributes(first, decimals))
+    path.attrib.update(style_attributes(styles[0], gradients.decimals))
 
+    if track.start > 0:
+        path.set("visibility", "hidden")
+    shown = [track.start <= k < track.end for k in range(len(styles))]
+    animate_choice(path, "visibility", clock, ["visible" if own else "hidden" for own in shown])
     animate_choice(path, "fill-rule", clock, [style.fill_rule for style in styles])
     _animate_share(path, "opacity", clock, [style.opacity for style in styles])
     if strokes:
-        _animate_stroke(path, strokes, clock, decimals, tolerance)
-
-
-def _strokes_throughout(strokes: Sequence[Stroke | None]) -> list[Stroke]:
-    """The strokes with none missing, unless all are: then there is nothing to write."""
-    present = [k for k, stroke in enumerate(strokes) if stroke is not None]
-    filled = []
-    for k, stroke in enumerate(strokes):
-        if stroke is not None:
-            filled.append(stroke)
-        elif present:
-            near = strokes[min(present, key=lambda other: abs(other - k))]
-            assert near is not None
-            filled.append(replace(near, paint=faded(near.paint, 0.0)))
-    return filled
+        _animate_stroke(path, strokes, clock, gradients.decimals, tolerance)
 
 
 def _animate_stroke(
@@ -99,14 +81,10 @@ def _animate_stroke(
     animate_choice(path, "stroke-linejoin", clock, [stroke.join for stroke in strokes])
     limits = np.array([stroke.miter_limit for stroke in strokes])
     animate_number(path, "stroke-miterlimit", clock, limits, COLOUR_TOLERANCE, alpha_text)
-    if len({len(stroke.dashes) for stroke in strokes}) == 1:
-        dashes = np.array([stroke.dashes for stroke in strokes])
-        picks = clock.pick(dashes[:, :, None], tolerance)
-        texts = [" ".join(map(length, row)) for row in dashes[picks].tolist()]
-        animate(path, "stroke-dasharray", clock, picks, texts)
-    else:
-        texts = [" ".join(map(length, stroke.dashes)) or "0" for stroke in strokes]
-        animate_choice(path, "stroke-dasharray", clock, texts)
+    dashes = np.array([stroke.dashes for stroke in strokes])
+    picks = clock.pick(dashes[:, :, None], tolerance)
+    texts = [" ".join(map(length, row)) for row in dashes[picks].tolist()]
+    animate(path, "stroke-dasharray", clock, picks, texts)
     offsets = np.array([stroke.dash_offset for stroke in strokes])
     animate_number(path, "stroke-dashoffset", clock, offsets, tolerance, length)
 
@@ -119,62 +97,35 @@ def _animate_paint(
     gradients: GradientDefs,
     tolerance: float,
 ) -> None:
-    """``fill`` or ``stroke``."""
-    track = _paints_throughout(paints)
-    colours = [paint for paint in track if isinstance(paint, Colour)]
-    if not track:
-        path.set(name, "none")
+    """``fill`` or ``stroke``, of paints that are all of one sort."""
+    path.attrib.update(paint_attributes(name, paints[0], gradients))
+    shades = [paint for paint in paints if isinstance(paint, Gradient)]
+    colours = [paint for paint in paints if isinstance(paint, Colour)]
+    if shades:
+        _animate_gradient(gradients.element[-1], shades, clock, gradients.decimals, tolerance)
     elif colours:
-        path.attrib.update(paint_attributes(name, colours[0], gradients))
         _animate_colour(path, name, f"{name}-opacity", clock, colours)
-    else:
-        shades = [in_normal_form(paint) for paint in track if isinstance(paint, Gradient)]
-        # Gradients of one kind run through one element; a change of kind is a jump to another.
-        kinds = [(shade.kind, shade.spread, len(shade.stops)) for shade in shades]
-        starts = [k for k in range(len(kinds)) if k == 0 or kinds[k] != kinds[k - 1]]
-        urls: list[str] = []
-        for start, end in pairwise([*starts, len(kinds)]):
-            held = np.clip(np.arange(len(kinds)), start, end - 1)
-            url = _animate_gradient([shades[k] for k in held], clock, gradients, tolerance)
-            urls += [url] * (end - start)
-        path.set(name, urls[0])
-        animate_choice(path, name, clock, urls)
-
-
-def _paints_throughout(paints: Sequence[Paint]) -> list[Paint]:
-    """The paints with none missing, and either all of them colours or all gradients."""
-    gradients = [k for k, paint in enumerate(paints) if isinstance(paint, Gradient)]
-    present = gradients or [k for k, paint in enumerate(paints) if paint is not None]
-    track: list[Paint] = []
-    for k, paint in enumerate(paints):
-        if not present:
-            break
-        near = paints[min(present, key=lambda other: abs(other - k))]
-        assert near is not None
-        if paint is None:
-            paint = faded(near, 0.0)
-        elif isinstance(paint, Colour) and isinstance(near, Gradient):
-            paint = solid_gradient(paint, near)
-        track.append(paint)
-    return track
 
 
 def _animate_gradient(
-    track: Sequence[Gradient], clock: Clock, gradients: GradientDefs, tolerance: float
-) -> str:
-    """Write one gradient that runs through others of its kind; how a paint refers to it."""
-    element, url = gradients.add(track[0])
+    element: ET.Element,
+    track: Sequence[Gradient],
+    clock: Clock,
+    decimals: int,
+    tolerance: float,
+) -> None:
+    """Let the gradient that was written for the first of a track run through the others."""
     stops = element.findall("stop")
+    animate_choice(element, "spreadMethod", clock, [gradient.spread for gradient in track])
     circles = [circle for circle in map(as_circle, track) if circle is not None]
     if len(circles) == len(track):
-        _animate_points(element, circles, clock, gradients.decimals, tolerance)
+        _animate_points(element, circles, clock, decimals, tolerance)
     else:
-        _animate_ellipse(element, track, clock, gradients.decimals, tolerance)
+        _animate_ellipse(element, track, clock, decimals, tolerance)
     for k, stop in enumerate(stops):
         colours = [gradient.stops[k].colour for gradient in track]
         _animate_colour(stop, "stop-color", "stop-opacity", clock, colours)
         _animate_share(stop, "offset", clock, [gradient.stops[k].offset for gradient in track])
-    return url
 
 
 def _animate_points(
@@ -221,6 +172,7 @@ def _animate_ellipse(
         at_rest.append(f"{kind}({texts[0]})")
     element.set("gradientTransform", "".join(at_rest))
 
+    element.attrib.update({"cx": "0", "cy": "0", "r": "1"})
     fx, fy = np.array([gradient.points[3:] for gradient in track]).T
     cos, sin = np.cos(turn), np.sin(turn)
     for name, focus in (("fx", cos * fx + sin * fy), ("fy", cos * fy - sin * fx)):

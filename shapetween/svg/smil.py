@@ -21,6 +21,7 @@ from shapetween.svg.animate import Clock, Loop, animate
 from shapetween.svg.animate_style import animate_style
 from shapetween.svg.elements import GradientDefs, add_shape, document, named, text_of
 from shapetween.svg.numbers import decimals_for, path_data
+from shapetween.tracks import style_tracks
 
 __all__ = ["smil_svg"]
 
@@ -113,14 +114,18 @@ def _add_part(
     name: dict[str, str],
     tolerance: float,
 ) -> None:
-    """Write a part as one animated path; `time` is the movement's at every sample of the clock."""
+    """Write a part as an animated path, or as several that take turns where its kind of paint does.
+
+    `time` is the movement's at every sample of the clock.
+    """
     stack = part.curves(time)
     picks = clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
     values = path_data(stack[picks], part.rings, part.closed, gradients.decimals)
-
-    path = ET.SubElement(parent, "path", name)
     stride = PAINT_STRIDE if clock.adaptive else 1
     styles = [part.style(t) for t in np.clip(time[::stride], *INSIDE).tolist()]
-    animate_style(path, styles, replace(clock, times=clock.times[::stride]), gradients, tolerance)
-    path.set("d", values[0])
-    animate(path, "d", clock, picks, values)
+    slower = replace(clock, times=clock.times[::stride])
+    for track in style_tracks(styles):
+        path = ET.SubElement(parent, "path", name if track.start == 0 else {})
+        animate_style(path, track, slower, gradients, tolerance)
+        path.set("d", values[0])
+        animate(path, "d", clock, picks, values)
