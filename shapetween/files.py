@@ -6,13 +6,13 @@ beside its place, and renamed. A run that fails half-way leaves what was there b
 
 import re
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from shapetween.errors import BudgetError, InputError, OptionError
 
-__all__ = ["MAX_BYTES", "read_bytes", "refuse_inputs", "write_frames", "write_text"]
+__all__ = ["MAX_BYTES", "check_outputs", "read_bytes", "read_text", "write_frames", "write_text"]
 
 #: Largest file that is read. Drawings of a few megabytes are rare; a larger limit lets a wrong
 #: file fill the memory.
@@ -43,22 +43,46 @@ def read_bytes(path: Path, limit: int = MAX_BYTES) -> bytes:
     return data
 
 
-def refuse_inputs(output: Path, inputs: Iterable[Path]) -> None:
-    """Check that writing `output` does not overwrite one of the `inputs`.
+def read_text(path: Path, limit: int = MAX_BYTES) -> str:
+    """Everything in a text file in UTF-8; a byte order mark is left out.
+
+    Raises
+    ------
+    InputError
+        As `read_bytes`, and if it is not UTF-8.
+    """
+    try:
+        return read_bytes(path, limit).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(str(path), f"byte {error.start} is not UTF-8 text") from error
+
+
+def check_outputs(outputs: Sequence[Path], inputs: Sequence[Path]) -> None:
+    """Check before any work that what will be written overwrites no input, nor each other.
 
     Raises
     ------
     OptionError
-        If it would.
+        If it would, or an output's folder is not there.
     """
-    for path in inputs:
-        same = (
-            output.samefile(path)
-            if output.exists() and path.exists()
-            else output.resolve() == path.resolve()
-        )
-        if same:
+    for k, output in enumerate(outputs):
+        if any(_same(output, path) for path in inputs):
             raise OptionError(f"{output}: is an input; expected another name for the output")
+        if any(_same(output, path) for path in outputs[:k]):
+            raise OptionError(f"{output}: is written twice; expected two names")
+        _check_parent(output)
+
+
+def _same(a: Path, b: Path) -> bool:
+    if a.exists() and b.exists():
+        return a.samefile(b)
+    return a.resolve() == b.resolve()
+
+
+def _check_parent(path: Path) -> None:
+    folder = path.resolve().parent
+    if not folder.is_dir():
+        raise OptionError(f"{path}: there is no folder {folder}")
 
 
 def write_text(path: Path, text: str) -> None:
@@ -145,8 +169,7 @@ def _exchange(fresh: Path, place: Path, old: Path) -> None:
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """A hidden folder next to `place`, so on the same disk, which is gone afterwards."""
-    if not place.parent.is_dir():
-        raise OptionError(f"{place}: there is no folder {place.parent}")
+    _check_parent(place)
     with tempfile.TemporaryDirectory(prefix=f".{place.name[:40]}.", dir=place.parent) as folder:
         yield Path(folder)
 
