@@ -3,6 +3,7 @@
 .. [Col4] *CSS Color Module Level 4*.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 import tinycss2
 import tinycss2.color4
 
+from shapetween.arrays import Floats
 from shapetween.paint import Colour
 
 __all__ = ["CURRENT", "PaintValue", "parse_paint"]
@@ -20,8 +22,9 @@ CURRENT = "currentcolor"
 #: The context's own paint, which only markers have and this reader does not draw.
 _CONTEXT = frozenset({"context-fill", "context-stroke"})
 
-#: Linear sRGB from XYZ under D65, and under D50 after Bradford adaptation ([Col4]_, section 18).
-_FROM_XYZ = {
+#: Linear sRGB from XYZ under D65, from XYZ under D50 after Bradford adaptation, and from linear
+#: Display P3 ([Col4]_, section 18).
+_TO_LINEAR_SRGB = {
     "xyz-d65": np.array(
         [
             [3.2409699419045226, -1.537383177570094, -0.4986107602930034],
@@ -36,8 +39,23 @@ _FROM_XYZ = {
             [0.07195537988411677, -0.2289768264158322, 1.405386058324125],
         ]
     ),
+    "display-p3": np.array(
+        [
+            [1.2249401762805598, -0.22494017628055996, 0.0],
+            [-0.04205695470968816, 1.0420569547096881, 0.0],
+            [-0.019637554590334432, -0.07863604555063188, 1.0982736001409663],
+        ]
+    ),
 }
-_WITH_XYZ = {"lab": "xyz-d50", "lch": "xyz-d50", "oklab": "xyz-d65", "oklch": "xyz-d65"}
+_BY_WAY_OF = {
+    "lab": "xyz-d50",
+    "lch": "xyz-d50",
+    "oklab": "xyz-d65",
+    "oklch": "xyz-d65",
+    "xyz": "xyz-d65",
+    "xyz-d50": "xyz-d50",
+    "xyz-d65": "xyz-d65",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,13 +121,30 @@ def _colour(token: Any) -> Colour | str | None:
 
 
 def _srgb(colour: Any) -> Colour:
-    if colour.space in _WITH_XYZ:
-        space = _WITH_XYZ[colour.space]
-        linear = _FROM_XYZ[space] @ np.array(colour.to(space).coordinates)
-        size = np.abs(linear)
-        encoded = np.where(size > 0.0031308, 1.055 * size ** (1 / 2.4) - 0.055, 12.92 * size)
-        components = (np.sign(linear) * encoded).tolist()
+    """A colour of any space in sRGB, cut off where it is beyond it."""
+    if colour.space == "display-p3":
+        components = _encoded(_TO_LINEAR_SRGB["display-p3"] @ _decoded(colour.coordinates))
+    elif colour.space in _BY_WAY_OF:
+        space = _BY_WAY_OF[colour.space]
+        components = _encoded(_TO_LINEAR_SRGB[space] @ np.array(colour.to(space).coordinates))
     else:
         components = colour.to("srgb").coordinates
-    red, green, blue = (min(1.0, max(0.0, component)) for component in components)
+    red, green, blue = (min(1.0, max(0.0, float(component))) for component in components)
     return Colour(red, green, blue, colour.alpha)
+
+
+def _encoded(linear: Floats) -> Floats:
+    """Linear light to sRGB's values, negative ones mirrored."""
+    size = np.abs(linear)
+    return np.asarray(
+        np.sign(linear)
+        * np.where(size > 0.0031308, 1.055 * size ** (1 / 2.4) - 0.055, 12.92 * size)
+    )
+
+
+def _decoded(coordinates: Sequence[float | None]) -> Floats:
+    """The inverse of `_encoded`; a missing component is 0."""
+    values = np.array([value or 0.0 for value in coordinates])
+    size = np.abs(values)
+    linear = np.where(size > 0.04045, ((size + 0.055) / 1.055) ** 2.4, size / 12.92)
+    return np.asarray(np.sign(values) * linear)

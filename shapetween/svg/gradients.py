@@ -72,8 +72,6 @@ def gradient(
     stops = _stops(document, chain, alpha)
     if not stops:
         return None
-    if len(stops) == 1:
-        return stops[0].colour
     values: dict[str, str] = {}
     for link in reversed(chain):
         values.update(link.items())
@@ -87,6 +85,8 @@ def gradient(
             return None
         matrix = compose(matrix, affine(box.width, 0, 0, box.height, box.x, box.y))
         viewport = Viewport(1.0, 1.0)
+    if len(stops) == 1:
+        return stops[0].colour
     turned = parse_transform(values.get("gradientTransform", ""))
     if turned is not None:
         matrix = compose(matrix, turned)

@@ -134,20 +134,21 @@ def _polygon(values: Mapping[str, str], viewport: Viewport, most: int) -> PathDa
 
 
 def _points(values: Mapping[str, str], most: int, closed: bool) -> PathData:
-    text = values.get("points", "")
-    found = numbers(text, 2 * most + 4)
-    coordinates = np.array(found[: len(found) // 2 * 2]).reshape(-1, 2)
-    if not len(coordinates):
-        return PathData((), 0, "its points hold no pair of numbers" if text.strip() else "")
-    return _polygon_of(coordinates, closed)
+    found, rest = numbers(values.get("points", ""), 2 * most + 2)
+    points = np.array(found[: len(found) // 2 * 2]).reshape(-1, 2)
+    problem = ""
+    if (rest and len(points) <= most) or len(found) % 2:
+        problem = f"its points are sound up to number {len(points) * 2}"
+    return _polygon_of(points, closed, problem)
 
 
-def _polygon_of(points: Points, closed: bool) -> PathData:
+def _polygon_of(points: Points, closed: bool, problem: str = "") -> PathData:
+    if len(points) < 2:
+        return PathData((), len(points), problem)
     if closed and (points[0] != points[-1]).any():
         points = np.concatenate([points, points[:1]])
-    return PathData(
-        (Subpath(line_curves(points[:-1], points[1:]), points[0], closed),), len(points)
-    )
+    subpath = Subpath(line_curves(points[:-1], points[1:]), points[0], closed)
+    return PathData((subpath,), len(points), problem)
 
 
 def _closed(curves: Curves) -> PathData:

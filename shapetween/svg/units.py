@@ -41,8 +41,8 @@ def number(text: str | None) -> float | None:
     return value if abs(value) <= GREATEST else None
 
 
-def numbers(text: str, most: int) -> list[float]:
-    """Up to `most` numbers separated by spaces or commas, to the first that is malformed."""
+def numbers(text: str, most: int) -> tuple[list[float], str]:
+    """Up to `most` numbers separated by spaces or commas, and what is left of the text."""
     values: list[float] = []
     position = 0
     while len(values) < most and (found := _SEPARATED.match(text, position)):
@@ -51,7 +51,7 @@ def numbers(text: str, most: int) -> list[float]:
             break
         values.append(value)
         position = found.end()
-    return values
+    return values, text[position:].strip(" \t\r\n,")
 
 
 @dataclass(frozen=True, slots=True)

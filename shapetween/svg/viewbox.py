@@ -17,8 +17,8 @@ _SHARES = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
 
 def parse_view_box(text: str | None) -> Box | None:
     """A ``viewBox``; None if there is none, or it is malformed or without area."""
-    values = numbers(text or "", 5)
-    if len(values) != 4 or values[2] <= 0 or values[3] <= 0:
+    values, rest = numbers(text or "", 4)
+    if len(values) != 4 or rest or values[2] <= 0 or values[3] <= 0:
         return None
     return Box(*values)
 
