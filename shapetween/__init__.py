@@ -1,1 +1,45 @@
-"""Turn two vector drawings into the movement between them."""
+"""Turn two vector drawings into the movement between them.
+
+>>> import shapetween as st
+>>> square = [[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]]
+>>> st.interpolate_quads(square, square, [0.5]).shape
+(1, 1, 4, 2)
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from shapetween.drawing import Drawing
+    from shapetween.errors import ShapetweenError
+    from shapetween.interpolate import tween
+    from shapetween.interpolate.quads import interpolate_quads
+    from shapetween.mesh import MeshPair
+    from shapetween.api import Morph, morph
+
+__all__ = [
+    "Drawing",
+    "MeshPair",
+    "Morph",
+    "ShapetweenError",
+    "interpolate_quads",
+    "morph",
+    "tween",
+]
+
+#: Where each public name lives; nothing is imported before it is asked for.
+_HOMES = {
+    "Drawing": "shapetween.drawing",
+    "MeshPair": "shapetween.mesh",
+    "Morph": "shapetween.api",
+    "ShapetweenError": "shapetween.errors",
+    "interpolate_quads": "shapetween.interpolate.quads",
+    "morph": "shapetween.api",
+    "tween": "shapetween.interpolate",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'shapetween' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)

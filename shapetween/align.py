@@ -66,7 +66,8 @@ class Equilibrium:
         sharing = (membership.T @ incidence).tocsr()  # (N, V): vertices of each face
         valence: Floats = np.asarray(incidence.sum(axis=0)).ravel()
         common = (sharing @ sharing.T).tocsr()
-        matrix = (diags_array(sharing @ valence) - common).tocsr()
+        degree: Floats = np.asarray(sharing @ valence)
+        matrix = (diags_array(degree) - common).tocsr()
         components = connected_components(common, directed=False)[1].astype(np.intp)
         return cls(incidence, membership, matrix, components)
 

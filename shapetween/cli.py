@@ -4,25 +4,29 @@ Heavy modules are imported inside the commands, so that help and a wrong option 
 """
 
 import difflib
+import functools
 import json
 import sys
 from collections.abc import Callable
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from shapetween.errors import OptionError, ShapetweenError
+from shapetween.progress import Progress
+
+if TYPE_CHECKING:
+    from shapetween.api import Morph
 
 __all__ = ["cli", "main"]
 
 #: `shapetween.interpolate.METHODS` by name, without importing it.
 METHOD_NAMES = ("projective",)
 
-FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
-
-class Pin(click.ParamType):
+class Pin(click.ParamType[Any]):
     """``AX,AY:BX,BY``: a point of A and the point of B that it becomes."""
 
     name = "AX,AY:BX,BY"
@@ -40,7 +44,7 @@ class Pin(click.ParamType):
         return numbers
 
 
-class Name(click.ParamType):
+class Name(click.ParamType[Any]):
     """One of a few names; a wrong one is answered with the nearest."""
 
     name = "name"
@@ -58,10 +62,10 @@ class Name(click.ParamType):
             return value
         near = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.4)
         hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(self.choices)}"
-        self.fail(f"{value!r} is not known; {hint}")
+        return self.fail(f"{value!r} is not known; {hint}")
 
 
-class Keyframes(click.ParamType):
+class Keyframes(click.ParamType[Any]):
     """``auto``, or how many keyframes."""
 
     name = "auto|N"
@@ -75,8 +79,79 @@ class Keyframes(click.ParamType):
         return int(value)
 
 
-def common(function: FunctionT) -> FunctionT:
-    """Add the options that every command on a pair takes."""
+@dataclass(frozen=True, slots=True)
+class Common:
+    """The options that every command on a pair takes."""
+
+    method: str
+    folds: str
+    quads: int | None
+    pins: tuple[tuple[float, float, float, float], ...]
+    mesh: Path | None
+    fit: str
+    precision: int | None
+    report: Path | None
+    quiet: bool
+    verbose: bool
+
+    def prepare(self, a: Path, b: Path, out: Path, progress: Progress) -> "Morph":
+        """Check the places to write to, then prepare the movement."""
+        from shapetween import files
+
+        given = [a, b, *([self.mesh] if self.mesh else [])]
+        for place in (out, *([self.report] if self.report else [])):
+            files.refuse_inputs(place, given)
+        with progress("import"):
+            from shapetween.api import morph
+        meshes = None
+        if self.mesh is not None:
+            from shapetween.meshfile import load_meshes
+
+            meshes = dict(load_meshes(files.read_text(self.mesh), str(self.mesh)))
+        return morph(
+            a,
+            b,
+            method=self.method,
+            folds=self.folds,  # type: ignore[arg-type]
+            quads=self.quads,
+            pins=self.pins,
+            mesh=meshes,
+            fit=self.fit,  # type: ignore[arg-type]
+            observe=progress,
+        )
+
+    def finish(self, result: "Morph", out: Path, content: str | list[str], run: Progress) -> None:
+        """Write the report if one is wanted, then the output, and say what there is to say."""
+        from shapetween import files
+
+        with run("check"):
+            report = result.report()
+        report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
+        if self.report is not None:
+            files.write_text(self.report, json.dumps(report, indent=1) + "\n")
+        if isinstance(content, str):
+            files.write_text(out, content)
+        else:
+            files.write_frames(out, content)
+        run.close()
+        if self.quiet:
+            return
+        for warning in result.warnings:
+            click.echo(f"shapetween: warning: {warning}", err=True)
+        if self.verbose:
+            click.echo(json.dumps(report, indent=1), err=True)
+        click.echo(f"wrote {out}")
+
+
+def common(function: Callable[..., None]) -> Callable[..., None]:
+    """Add the options of `Common`, handed over as one argument of that name."""
+
+    @functools.wraps(function)
+    def gathered(**values: Any) -> None:
+        shared = Common(**{field.name: values.pop(field.name) for field in fields(Common)})
+        function(common=shared, **values)
+
+    command: Callable[..., None] = gathered
     for option in reversed(
         [
             click.option(
@@ -85,6 +160,14 @@ def common(function: FunctionT) -> FunctionT:
                 default="projective",
                 show_default=True,
                 help="How the mesh moves.",
+            ),
+            click.option(
+                "--folds",
+                type=Name("prevent", "allow"),
+                default="prevent",
+                show_default=True,
+                help="Move the plane around the shape along, so that nothing folds; or move the "
+                "bare mesh, as the paper does.",
             ),
             click.option(
                 "--quads",
@@ -129,8 +212,12 @@ def common(function: FunctionT) -> FunctionT:
             click.option("-v", "--verbose", is_flag=True, help="Say how the movement was found."),
         ]
     ):
-        function = option(function)
-    return function
+        command = option(command)
+    return command
+
+
+A = click.argument("a", type=click.Path(path_type=Path))
+B = click.argument("b", type=click.Path(path_type=Path))
 
 
 @click.group(
@@ -143,8 +230,8 @@ def cli() -> None:
 
 
 @cli.command(epilog="Example:  shapetween morph cat.svg dog.svg --duration 1.5 --loop alternate")
-@click.argument("a", type=click.Path(path_type=Path))
-@click.argument("b", type=click.Path(path_type=Path))
+@A
+@B
 @click.option(
     "-o",
     "--out",
@@ -182,40 +269,25 @@ def cli() -> None:
     help="How many shapes to write; auto takes as many as smooth movement needs.",
 )
 @common
-def morph(
-    a: Path,
-    b: Path,
-    out: Path | None,
-    duration: float,
-    easing: str,
-    loop: str,
-    keyframes: int | str,
-    precision: int | None,
-    **options: Any,
-) -> None:
+def morph(a: Path, b: Path, out: Path | None, common: Common, **settings: Any) -> None:
     """Write one animated SVG that moves from A to B.
 
     It plays in every browser, in <img> too, without a script.
     """
     from shapetween.frames import easing_function
 
-    easing_function(easing)
+    easing_function(settings["easing"])
     path = out or Path(f"{a.stem}-to-{b.stem}.svg")
-    with _Run(a, b, path, **options) as run:
-        with run.progress("write"):
-            text = run.result.svg(
-                duration=duration,
-                easing=easing,
-                loop=loop,
-                keyframes=keyframes,
-                precision=precision,
-            )
-        run.write(path, text)
+    with Progress(quiet=common.quiet) as run:
+        result = common.prepare(a, b, path, run)
+        with run("write"):
+            text = result.svg(precision=common.precision, **settings)
+        common.finish(result, path, text, run)
 
 
 @cli.command(epilog="Example:  shapetween frames cat.svg dog.svg -o frames --frames 48")
-@click.argument("a", type=click.Path(path_type=Path))
-@click.argument("b", type=click.Path(path_type=Path))
+@A
+@B
 @click.option(
     "-o",
     "--out",
@@ -240,32 +312,25 @@ def morph(
     help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
 )
 @common
-def frames(
-    a: Path,
-    b: Path,
-    out: Path | None,
-    count: int,
-    easing: str,
-    precision: int | None,
-    **options: Any,
-) -> None:
+def frames(a: Path, b: Path, out: Path | None, count: int, easing: str, common: Common) -> None:
     """Write one SVG a frame, the first drawing A and the last drawing B."""
     from shapetween.frames import easing_function, even_times
 
-    ease = easing_function(easing)
+    times = easing_function(easing)(even_times(count))
     folder = out or Path(f"{a.stem}-to-{b.stem}")
-    with _Run(a, b, folder, **options) as run:
-        with run.progress("write"):
+    with Progress(quiet=common.quiet) as run:
+        result = common.prepare(a, b, folder, run)
+        with run("write"):
             from shapetween.svg.sequence import frame_svg
 
-            drawings = run.result.prepared.movement.at(ease(even_times(count)))
-            texts = [frame_svg(drawing, precision) for drawing in drawings]
-        run.write(folder, texts)
+            drawings = result.prepared.movement.at(times)
+            texts = [frame_svg(drawing, common.precision) for drawing in drawings]
+        common.finish(result, folder, texts, run)
 
 
 @cli.command(epilog="Example:  shapetween mesh cat.svg dog.svg -o cat-to-dog-mesh.svg")
-@click.argument("a", type=click.Path(path_type=Path))
-@click.argument("b", type=click.Path(path_type=Path))
+@A
+@B
 @click.option(
     "-o",
     "--out",
@@ -274,7 +339,7 @@ def frames(
     help="A picture of both meshes, or the mesh itself.  [default: A-to-B-mesh.svg]",
 )
 @common
-def mesh(a: Path, b: Path, out: Path | None, precision: int | None, **options: Any) -> None:
+def mesh(a: Path, b: Path, out: Path | None, common: Common) -> None:
     """Show what goes where: both shapes with numbered quads and matched nodes.
 
     Ending in .json, OUT is a mesh to keep, edit and give back with --mesh.
@@ -282,83 +347,12 @@ def mesh(a: Path, b: Path, out: Path | None, precision: int | None, **options: A
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
     if path.suffix.lower() not in (".svg", ".json"):
         raise OptionError(f"{path}: a mesh is written as .svg or .json")
-    with _Run(a, b, path, **options) as run:
-        with run.progress("write"):
-            text = (
-                run.result.mesh_json()
-                if path.suffix.lower() == ".json"
-                else (run.result.mesh_svg((a.name, b.name)))
-            )
-        run.write(path, text)
-
-
-class _Run:
-    """One command on a pair: prepared on entry; what it writes is written at the end, or not."""
-
-    def __init__(
-        self,
-        a: Path,
-        b: Path,
-        out: Path,
-        *,
-        method: str,
-        quads: int | None,
-        pins: tuple[tuple[float, float, float, float], ...],
-        mesh: Path | None,
-        fit: str,
-        report: Path | None,
-        quiet: bool,
-        verbose: bool,
-    ) -> None:
-        from shapetween import files
-        from shapetween.progress import Progress
-
-        files.check_outputs([out, *([report] if report else [])], [a, b, *([mesh] if mesh else [])])
-        self._paths = a, b
-        self._settings = {"method": method, "quads": quads, "pins": pins, "fit": fit}
-        self._mesh, self._report, self._quiet, self._verbose = mesh, report, quiet, verbose
-        self.progress = Progress(quiet=quiet)
-
-    def __enter__(self) -> "_Run":
-        with_progress = self.progress.__enter__()
-        try:
-            with with_progress("import"):
-                from shapetween import files
-                from shapetween.morph import morph
-            meshes = None
-            if self._mesh is not None:
-                from shapetween.meshfile import load_meshes
-
-                text = files.read_text(self._mesh)
-                meshes = dict(load_meshes(text, str(self._mesh)))
-            self.result = morph(*self._paths, mesh=meshes, observe=self.progress, **self._settings)
-        except BaseException:
-            self.progress.__exit__()
-            raise
-        return self
-
-    def write(self, path: Path, content: str | list[str]) -> None:
-        """Write a file, or a folder of frames, and the report if one is wanted."""
-        from shapetween import files
-
-        report = self.result.report(self.progress.seconds)
-        if isinstance(content, str):
-            files.write_text(path, content)
-        else:
-            files.write_frames(path, content)
-        if self._report is not None:
-            files.write_text(self._report, json.dumps(report, indent=1) + "\n")
-        self.progress.__exit__()
-        if self._quiet:
-            return
-        for warning in self.result.warnings:
-            click.echo(f"shapetween: warning: {warning}", err=True)
-        if self._verbose:
-            click.echo(json.dumps(report, indent=1), err=True)
-        click.echo(f"wrote {path}")
-
-    def __exit__(self, *_: object) -> None:
-        self.progress.__exit__()
+    with Progress(quiet=common.quiet) as run:
+        result = common.prepare(a, b, path, run)
+        with run("write"):
+            as_json = path.suffix.lower() == ".json"
+            text = result.mesh_json() if as_json else result.mesh_svg((a.name, b.name))
+        common.finish(result, path, text, run)
 
 
 def main() -> None:
@@ -377,6 +371,5 @@ def main() -> None:
 
 
 def _fail(message: str) -> None:
-    line = " ".join(message.split())
-    click.echo(f"shapetween: error: {line}", err=True)
+    click.echo(f"shapetween: error: {' '.join(message.split())}", err=True)
     sys.exit(2)

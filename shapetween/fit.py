@@ -7,10 +7,10 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Affine
+from shapetween.arrays import Affine, Points
 from shapetween.drawing import Box, Drawing
 
-__all__ = ["FITS", "Fit", "fit_matrix"]
+__all__ = ["FITS", "Fit", "fit_matrix", "inverted", "mapped"]
 
 Fit: TypeAlias = Literal["view", "geometry", "none"]
 """What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
@@ -41,6 +41,17 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
     x = outer.x + outer.width / 2 - scale * (inner.x + inner.width / 2)
     y = outer.y + outer.height / 2 - scale * (inner.y + inner.height / 2)
     return np.array([[scale, 0.0, x], [0.0, scale, y]])
+
+
+def mapped(points: Points, matrix: Affine) -> Points:
+    """Points (..., 2) under an affine map (2, 3)."""
+    return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
+
+
+def inverted(matrix: Affine) -> Affine:
+    """The affine map back."""
+    linear = np.linalg.inv(matrix[:, :2])
+    return np.column_stack([linear, -linear @ matrix[:, 2]])
 
 
 def _drawn_box(drawing: Drawing) -> Box:

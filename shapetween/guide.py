@@ -11,7 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points, Quads
-from shapetween.geometry.homography import homogeneous_weights, quad_homographies
+from shapetween.geometry.homography import (
+    homogeneous_weights,
+    quad_homographies,
+    triangle_affinities,
+)
 from shapetween.geometry.polygon import corner_sines
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.interpolate import Tween
@@ -83,34 +87,33 @@ class QuadGuide:
     _roots: Floats
 
     @classmethod
-    def of(cls, pair: MeshPair, tween: Tween, centroids: Points, jacobians: Floats) -> "QuadGuide":
-        """Find the quad that leads each triangle.
+    def of(cls, pair: MeshPair, tween: Tween, source: Points, target: Points) -> "QuadGuide | None":
+        """Find the quad that leads each triangle; None if no quad is fit to lead.
 
         Parameters
         ----------
         pair : MeshPair
         tween : Tween
             The pair's movement.
-        centroids : (T, 2) float64
-            Of the triangles at the start.
-        jacobians : (T, 2, 2) float64
-            Of the triangles' maps from start to end, determinants positive.
+        source, target : (T, 3, 2) float64
+            Corners of the triangles to be led, at both ends.
         """
+        centroids, jacobians = source.mean(axis=1), triangle_affinities(source, target)
         good = np.flatnonzero(usable_quads(pair, tween))
         if not len(good):
             return None
         corners = pair.source[pair.quads[good]]
         nearest, places = _nearest_quads(centroids, corners)
         quads = pair.quads[good[nearest]]
-        source = corners[nearest]
-        end = _jacobians(source, pair.target[quads], places)
+        start = corners[nearest]
+        end = _jacobians(start, pair.target[quads], places)
         residual = np.linalg.inv(end) @ jacobians
         areas = np.linalg.det(residual)
         sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
         angles, stretches = polar(np.where(sound[:, None, None], residual, np.eye(2)))
         follows = sound & (np.abs(angles) < LARGEST_TURN)
         roots = np.sqrt(np.abs(np.linalg.det(jacobians)))
-        return cls(tween, quads, source, places, follows, angles, stretches, roots)
+        return cls(tween, quads, start, places, follows, angles, stretches, roots)
 
     def __call__(self, t: Floats, own: Floats) -> Floats:
         """Wanted Jacobians at the times (F,), (F, T, 2, 2).

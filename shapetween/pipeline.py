@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapetween.arrays import Affine, Curves, Floats, Points
+from shapetween.arrays import Affine, Curves, Floats
 from shapetween.blend import blend
 from shapetween.drawing import Drawing, Shape
 from shapetween.errors import OptionError, OutlineError
-from shapetween.fit import Fit, fit_matrix
+from shapetween.fit import Fit, fit_matrix, mapped
 from shapetween.geometry.bezier import flatten
 from shapetween.mesh import MeshPair
 from shapetween.movement import Movement
 from shapetween.observe import Observer, unobserved
 from shapetween.outline import Outline
 from shapetween.paint import Style
-from shapetween.ring import RingMorph, morph_ring
+from shapetween.ring import Folds, RingMorph, morph_ring
 from shapetween.tidy import tidy
 
 if TYPE_CHECKING:
@@ -51,6 +51,8 @@ class Options:
         name "" serves any shape.
     fit : {"view", "geometry", "none"}
         How the second drawing is brought into the first one's frame.
+    folds : {"prevent", "allow"}
+        Whether the plane around a shape moves along so that nothing folds, or the bare mesh moves.
     """
 
     method: str = "projective"
@@ -58,6 +60,7 @@ class Options:
     pins: tuple[tuple[float, float, float, float], ...] = ()
     meshes: Mapping[str, MeshPair] = field(default_factory=dict)
     fit: Fit = "view"
+    folds: Folds = "prevent"
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
@@ -78,7 +81,7 @@ class ShapeMorph:
     @property
     def rings(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
-        return (self.ring.carrier.count,)
+        return (self.ring.carried.carrier.count,)
 
     @property
     def closed(self) -> tuple[bool, ...]:
@@ -147,16 +150,17 @@ def prepare(
         outline_a = _checked(shape_a.rings[0], names[0])
         outline_b = _checked(shape_b.rings[0], names[1]).transformed(matrix)
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)
-    pins[:, 2:] = _mapped(pins[:, 2:], matrix)
+    pins[:, 2:] = mapped(pins[:, 2:], matrix)
     name = shape_a.name or shape_b.name
     given = chosen.meshes.get(name, chosen.meshes.get(""))
     if given is not None:
-        target_vertices = _mapped(given.target, matrix)
+        target_vertices = mapped(given.target, matrix)
         given = MeshPair(given.source, target_vertices, given.quads, given.triangles)
     ring = morph_ring(
         outline_a,
         outline_b,
         method=chosen.method,
+        folds=chosen.folds,
         quads=chosen.quads,
         pins=pins,
         mesh=given,
@@ -173,10 +177,6 @@ def prepare(
             "'shapetween mesh' and correct it with --pin"
         )
     return Prepared(movement, (shape,), matrix, tuple(warnings))
-
-
-def _mapped(points: Points, matrix: Affine) -> Points:
-    return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
 def _only_shape(drawing: Drawing, name: str) -> Shape:

@@ -49,8 +49,12 @@ class Progress:
 
     def __exit__(self, *_: object) -> None:
         """Stop watching and clear the line."""
-        self._done.set()
-        if self._shown:
+        self.close()
+
+    def close(self) -> None:
+        """Stop watching and clear the line; a second time does nothing."""
+        if self._shown and not self._done.is_set():
+            self._done.set()
             self._thread.join()
             self._stream.write("\r\x1b[K")
             self._stream.flush()

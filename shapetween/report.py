@@ -1,6 +1,5 @@
 """What a movement is known to be worth, as plain values for JSON."""
 
-from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -13,19 +12,14 @@ from shapetween.pipeline import Prepared, ShapeMorph
 
 __all__ = ["build", "mesh_figures"]
 
-#: Times at which a movement is looked at for crossings.
-CHECKED = 81
 
-
-def build(prepared: Prepared, method: str, seconds: Mapping[str, float]) -> dict[str, Any]:
+def build(prepared: Prepared, method: str) -> dict[str, Any]:
     """Everything known of a movement.
 
     Parameters
     ----------
     prepared : Prepared
     method : str
-    seconds : mapping of str to float
-        Time spent in each stage.
     """
     try:
         number = version("shapetween")
@@ -35,7 +29,7 @@ def build(prepared: Prepared, method: str, seconds: Mapping[str, float]) -> dict
         "version": number,
         "method": method,
         "rings": [_ring(shape) for shape in prepared.shapes],
-        "seconds": {stage: round(value, 4) for stage, value in seconds.items()},
+        "seconds": {},
         "warnings": list(prepared.warnings),
     }
 
@@ -47,7 +41,13 @@ def _ring(shape: ShapeMorph) -> dict[str, Any]:
         "name": shape.name,
         **mesh_figures(mesh.pair),
         "found": mesh.found,
-        "curves": shape.ring.carrier.count,
+        "curves": shape.ring.carried.carrier.count,
+        "moved_by": shape.ring.carried.setting,
+        "led_by_quads": round(shape.ring.carried.led, 4),
+        "self_crossing": {
+            "times_checked": shape.ring.carried.checked,
+            "found": shape.ring.carried.crossing,
+        },
         "matching": {
             "cost": _number(matching.cost),
             "runner_up": _number(matching.runner_up),

@@ -1,24 +1,27 @@
 """One closed outline becoming another: matched, meshed, moved, and its curves carried along."""
 
 from dataclasses import dataclass
+from typing import Literal, TypeAlias
 
 import numpy as np
 
 from shapetween.arclength import ArcLength
-from shapetween.arrays import Curves, Floats, Points
-from shapetween.carry import Carrier
+from shapetween.arrays import Curves, Floats, Index, Points
 from shapetween.correspond import correspond
 from shapetween.correspond.correspondence import Correspondence
 from shapetween.geometry.bezier import flatten
-from shapetween.interpolate import Tween, tween
-from shapetween.matched import MatchedOutlines
+from shapetween.matched import MatchedOutlines, Samples
 from shapetween.mesh import MeshPair
 from shapetween.meshfile import check_mesh
 from shapetween.meshing import mesh_matched
 from shapetween.observe import Observer
 from shapetween.outline import Outline
+from shapetween.unfold import Carried, bare, unfolded
 
-__all__ = ["RingMesh", "RingMorph", "morph_ring"]
+__all__ = ["Folds", "RingMesh", "RingMorph", "morph_ring"]
+
+Folds: TypeAlias = Literal["prevent", "allow"]
+"""Whether the plane around a shape moves along so that nothing folds, or the bare mesh moves."""
 
 #: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
 #: for nodes and cost the square of it.
@@ -38,10 +41,12 @@ class RingMesh:
         Both clockwise as drawn.
     matching : Correspondence
     outlines : MatchedOutlines
+    samples : Samples
+        Matched points of the outlines.
     pair : MeshPair
         The first vertices are the nodes on the outline, in order; others lie inside.
-    nodes : (n,) float64
-        Places of those nodes in the common parameter, increasing.
+    kept : (n,) intp
+        Which samples those nodes are, increasing.
     found : str
         How the mesh was found.
     """
@@ -50,8 +55,9 @@ class RingMesh:
     target: Outline
     matching: Correspondence
     outlines: MatchedOutlines
+    samples: Samples
     pair: MeshPair
-    nodes: Floats
+    kept: Index
     found: str
 
 
@@ -62,20 +68,16 @@ class RingMorph:
     Attributes
     ----------
     mesh : RingMesh
-    tween : Tween
-        Moves the mesh's vertices.
-    carrier : Carrier
-        Carries the outline's curves along with the nodes.
+    carried : Carried
+        The outline's curves, on nodes that move.
     """
 
     mesh: RingMesh
-    tween: Tween
-    carrier: Carrier
+    carried: Carried
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2)."""
-        nodes = self.tween.vertices(t)[:, : len(self.mesh.nodes)]
-        return self.carrier.curves(nodes, t)
+        return self.carried.curves(t)
 
 
 def morph_ring(
@@ -83,6 +85,7 @@ def morph_ring(
     target: Outline,
     *,
     method: str,
+    folds: Folds,
     quads: int | None,
     pins: Points,
     mesh: MeshPair | None,
@@ -96,13 +99,14 @@ def morph_ring(
         Closed, simple, clockwise as drawn, in one frame.
     method : str
         One of `shapetween.interpolate.METHODS`.
+    folds : {"prevent", "allow"}
+        Whether the plane around the outline moves along, so that nothing folds.
     quads : int or None
         About how many quads; None for as few as the shapes need.
     pins : (K, 4) float64
         Rows ax, ay, bx, by of points that belong together.
     mesh : MeshPair or None
-        A mesh to use instead of a found one; its boundary vertices come first, clockwise, and
-        lie on the outlines.
+        A mesh to use instead of a found one, its boundary on the outlines.
     observe : Observer
         Told of every stage.
 
@@ -116,16 +120,11 @@ def morph_ring(
     else:
         ring = _given_mesh(source, target, mesh, observe)
     with observe("move"):
-        moved = tween(ring.pair, method)
-    with observe("carry"):
-        count = len(ring.nodes)
-        carrier = Carrier(
-            ring.outlines.cut(ring.nodes),
-            ring.nodes,
-            ring.pair.source[:count],
-            ring.pair.target[:count],
-        )
-    return RingMorph(ring, moved, carrier)
+        if folds == "prevent":
+            return RingMorph(
+                ring, unfolded(ring.outlines, ring.samples, ring.pair, ring.kept, method)
+            )
+        return RingMorph(ring, bare(ring.outlines, ring.samples, ring.pair, ring.kept, method))
 
 
 def _found_mesh(
@@ -144,7 +143,7 @@ def _found_mesh(
     with observe("mesh"):
         found = mesh_matched(samples.source, samples.target, samples.joints, quads)
     return RingMesh(
-        source, target, matching, outlines, found.pair, samples.w[found.nodes], found.level
+        source, target, matching, outlines, samples, found.pair, found.nodes, found.level
     )
 
 
@@ -175,4 +174,6 @@ def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Obser
             for nodes, given in zip(on, (mesh.source, mesh.target), strict=True)
         ]
         pair = MeshPair(*vertices, rank[mesh.quads], rank[mesh.triangles])
-    return RingMesh(source, target, matching, outlines, pair, w, "given")
+        samples = outlines.samples(SAMPLES)
+        kept = np.abs(samples.w[:, None] - w).argmin(axis=0)
+    return RingMesh(source, target, matching, outlines, samples, pair, kept, "given")

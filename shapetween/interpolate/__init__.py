@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from shapetween.errors import OptionError
 from shapetween.interpolate.projective import Projective
-from shapetween.interpolate.tween import Tween
+from shapetween.interpolate.base import Tween
 from shapetween.mesh import MeshPair
 
 __all__ = ["METHODS", "Tween", "tween"]

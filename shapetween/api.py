@@ -11,11 +11,12 @@ import numpy as np
 from shapetween import files, report
 from shapetween.drawing import Drawing
 from shapetween.errors import OptionError
+from shapetween.fit import Fit, inverted, mapped
 from shapetween.frames import even_times
-from shapetween.fit import Fit
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
-from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.pipeline import Options, Prepared, ShapeMorph, prepare
+from shapetween.ring import Folds
 from shapetween.svg.read import read_svg
 
 __all__ = ["Morph", "morph"]
@@ -78,9 +79,25 @@ class Morph:
         """Write the movement as one animated SVG; `settings` are those of `svg`."""
         files.write_text(Path(path), self.svg(**settings))
 
-    def report(self, seconds: Mapping[str, float] | None = None) -> dict[str, Any]:
+    def report(self) -> dict[str, Any]:
         """How the movement was found and what is known of its quality, ready for JSON."""
-        return report.build(self.prepared, self.method, seconds or {})
+        return report.build(self.prepared, self.method)
+
+    @property
+    def meshes(self) -> tuple[tuple[str, MeshPair], ...]:
+        """Name and mesh of every shape, vertices in each drawing's own user units."""
+        return tuple((shape.name, self._own_units(shape)) for shape in self.prepared.shapes)
+
+    def _own_units(self, shape: ShapeMorph) -> MeshPair:
+        pair = shape.ring.mesh.pair
+        target = mapped(pair.target, inverted(self.prepared.fit))
+        return MeshPair(pair.source, target, pair.quads, pair.triangles)
+
+    def mesh_json(self) -> str:
+        """The meshes as the text of a file that `--mesh` takes."""
+        from shapetween.meshfile import dump_meshes
+
+        return dump_meshes(self.meshes)
 
     def _repr_html_(self) -> str:
         """Show the movement in a notebook."""
@@ -96,6 +113,7 @@ def morph(
     pins: Iterable[Pin] = (),
     mesh: MeshPair | Mapping[str, MeshPair] | None = None,
     fit: Fit = "view",
+    folds: Folds = "prevent",
     observe: Observer = unobserved,
 ) -> Morph:
     """Prepare the movement between two drawings.
@@ -115,6 +133,8 @@ def morph(
     fit : {"view", "geometry", "none"}
         How `b` is brought into the frame of `a`: view box into view box, drawn box into drawn
         box, or not at all.
+    folds : {"prevent", "allow"}
+        Move the plane around a shape along, so that nothing folds, or the bare mesh alone.
     observe : Observer, optional
         Told of every stage as it begins and ends.
 
@@ -129,6 +149,7 @@ def morph(
         pins=tuple((float(p[0]), float(p[1]), float(p[2]), float(p[3])) for p in pins),
         meshes={"": mesh} if isinstance(mesh, MeshPair) else dict(mesh or {}),
         fit=fit,
+        folds=folds,
     )
     with observe("read"):
         drawings = [item if isinstance(item, Drawing) else _read(item) for item in (a, b)]
