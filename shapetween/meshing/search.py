@@ -41,16 +41,17 @@ MISFIT_PRICE = 1.0
 #: Price of a chord's length, so that of two dissections the one with shorter ribs is taken.
 LENGTH_PRICE = 0.3
 
-#: Price of chord length outside a shape.
-OUTSIDE_PRICE = 30.0
+#: Price of chord length outside a shape. Smaller, and chords are taken that must be dropped when
+#: the mesh is mended; larger, and good ones are lost that graze a ripple of the outline.
+OUTSIDE_PRICE = 60.0
 
 #: Price of a face that is not convex in both shapes and has to be cut anew, besides its area; and
 #: of how far it is from convex, in sines.
-BROKEN_PRICE, BENT_PRICE = 5.0, 4.0
+BROKEN_PRICE, BENT_PRICE = 15.0, 4.0
 
 #: Most quads priced in one search, about: a microsecond each. Shapes without limbs reach it, as
 #: all chords stay inside them, and they need few nodes.
-QUAD_LIMIT = 150_000
+QUAD_LIMIT = 250_000
 
 #: Share of the candidates kept when there are too many quads.
 THINNING = 0.85
@@ -78,7 +79,11 @@ class Level:
 
 
 #: Searches in the order tried; the first that finds a mesh is taken.
-LEVELS = (Level("strict", 0.02, 0.12, False), Level("loose", 0.15, 0.2, True))
+LEVELS = (
+    Level("strict", 0.05, 0.12, False),
+    Level("wide", 0.05, 0.3, False),
+    Level("loose", 0.3, 0.8, True),
+)
 
 
 def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
