@@ -12,21 +12,21 @@ is known only up to whole turns; neighbours must agree, or what lies between the
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
+from shapetween.geometry.rotation import rotations
 from shapetween.plane.triangulate import triangle_edges
 
 __all__ = [
     "AREA_EXPONENT",
-    "coherent_angles",
     "gradients",
     "jacobians",
     "polar_angles",
     "polar_path",
-    "rotations",
+    "spread_angles",
 ]
 
 #: How far the area of a triangle is drawn to the straight path of its square root. 1 keeps areas
 #: and thins limbs whose stretch turns; 0 keeps lengths and lets areas sag.
-AREA_EXPONENT = 0.5
+AREA_EXPONENT = 1.0
 
 #: What a step through the outside costs, in radians, when angles spread over the triangles. Less
 #: and angles leak from limb to limb through the gap between them.
@@ -77,12 +77,6 @@ def polar_angles(matrices: Floats) -> Floats:
     return np.asarray(np.arctan2(m[..., 1, 0] - m[..., 0, 1], m[..., 0, 0] + m[..., 1, 1]))
 
 
-def rotations(angles: Floats) -> Floats:
-    """Rotation matrices, (..., 2, 2) for (...,)."""
-    c, s = np.cos(angles), np.sin(angles)
-    return np.stack([np.stack([c, -s], axis=-1), np.stack([s, c], axis=-1)], axis=-2)
-
-
 def polar_path(matrices: Floats, angles: Floats, t: Floats) -> Floats:
     """Matrices on their way from the identity.
 
@@ -112,7 +106,7 @@ def polar_path(matrices: Floats, angles: Floats, t: Floats) -> Floats:
     return np.asarray(factor[..., None, None] * (rotations(t[:, None] * angles) @ blend))
 
 
-def coherent_angles(
+def spread_angles(
     matrices: Floats, triangles: Index, weights: Floats, inside: Mask, sound: Mask
 ) -> Floats:
     """Angles of Jacobians with whole turns chosen so that neighbours agree.

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
-from shapetween.plane.jacobians import rotations
+from shapetween.geometry.rotation import rotations
 from shapetween.plane.triangulate import constrained_delaunay, split_edges, triangle_edges
 
 __all__ = ["FRAME_CORNERS", "Layout", "ring_edges"]

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from shapetween.arrays import Floats, Index, Points, times
+from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.plane.banded import BandSystem
 from shapetween.plane.jacobians import (
@@ -51,7 +52,9 @@ BLEND_WEIGHT = 1e-3
 ROUNDS = 3
 #: How strongly a triangle holds to the rotation first wanted, against the one that fits. None, and
 #: triangles that shrink to nothing spin; much, and limbs are kept short.
-PRIOR = 0.3
+PRIOR = 0.5
+#: The same for the directions of edges.
+EDGE_PRIOR = 0.5
 #: Least area, as a share of the wanted one, that the correction of the area believes.
 LEAST_AREA = 0.25
 #: Laplacian of a triangle's edges, all of weight 1.
@@ -72,8 +75,8 @@ class Stiffness:
         Weight of the lengths of the outlines' edges. Larger keeps limbs longer and areas less.
     """
 
-    outside: float = 0.3
-    length: float = 4.0
+    outside: float = 0.5
+    length: float = 8.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,7 +128,7 @@ class PlaneMotion:
         pull_a = weights_a[:, None, None] * hats_a
         pull_b = weights_b[:, None, None] * hats_b
         blend = BLEND_WEIGHT * mesh.turned[:, None, None] * _UNIFORM
-        edges = _Edges.of(mesh, ends, stiffness.length)
+        edges = _Edges.of(mesh, ends, angles, stiffness.length)
         fixed = np.zeros(len(mesh.source), dtype=bool)
         fixed[mesh.frame] = True
         system = BandSystem.of(
@@ -151,6 +154,7 @@ class PlaneMotion:
         prior = PRIOR * self._norms(first, t)[..., None, None] * np.eye(2)
         wanted, grown = first, np.ones(len(t))
         lengths, areas = self._edges.lengths(body, t), self._areas(body, t)
+        edges = first_edges = _directed(self._edges.directions(first, t), lengths)
         for step in range(1 + ROUNDS):
             if step:
                 moved = np.swapaxes(at[:, mesh.triangles], 2, 3) @ pulls
@@ -158,10 +162,10 @@ class PlaneMotion:
                 lack = areas / np.maximum(mesh.area(at), LEAST_AREA * areas)
                 grown = grown * np.sqrt(lack)
                 wanted = np.where(mesh.inside, grown[:, None], 1)[..., None, None] * (fit @ first)
-            along = self._edges.along(at) if step else self._edges.turned(wanted)
+                edges = _directed(self._edges.between(at) + EDGE_PRIOR * first_edges, lengths)
             parts = pulls @ np.swapaxes(wanted, 2, 3)
             parts[:, mesh.turned] = blend
-            at = solve(np.concatenate([parts, self._edges.parts(along, lengths)], axis=1))
+            at = solve(np.concatenate([parts, self._edges.parts(edges)], axis=1))
         source, target = mesh.poses
         size = (1 - t) * source.size + t * target.size
         centre = (1 - t)[:, None] * source.centre + t[:, None] * target.centre
@@ -204,6 +208,8 @@ class _Edges:
         The edges as vectors in both poses.
     beside : (N,) intp
         The inside triangle beside each.
+    angles : (N,) float64
+        Where that triangle is turned over, the angle each edge turns by; else not a number.
     body : (2, 2) float64
         Where the motion of the whole ends.
     """
@@ -213,33 +219,45 @@ class _Edges:
     start: Floats
     end: Floats
     beside: Index
+    angles: Floats
     body: Floats
 
     @classmethod
-    def of(cls, mesh: PlaneMesh, ends: tuple[Points, Points], weight: float) -> "_Edges":
-        """Edges of a mesh's rings, all of one weight."""
+    def of(
+        cls, mesh: PlaneMesh, ends: tuple[Points, Points], angles: Floats, weight: float
+    ) -> "_Edges":
+        """Edges of a mesh's rings, all of one weight, given the triangles' angles (T,)."""
         edges = ring_edges(mesh.rings)
         known, sides = triangle_edges(mesh.triangles)
         code = known @ [len(mesh.source), 1]
         sides = sides[np.searchsorted(code, np.sort(edges, axis=1) @ [len(mesh.source), 1])]
         beside = np.where(mesh.inside[sides[:, 0]], sides[:, 0], sides[:, 1])
+        start, end = (points[edges[:, 1]] - points[edges[:, 0]] for points in ends)
+        place = np.arange(len(edges), dtype=np.float64)
+        sound = ~mesh.turned[beside]
+        near = angles[beside]
+        if sound.any():
+            near = np.interp(place, place[sound], near[sound], period=len(edges))
         block = weight * np.array([[1.0, -1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
         return cls(
             np.pad(edges, ((0, 0), (0, 1)), constant_values=-1),
             np.broadcast_to(block, (len(edges), 3, 3)),
-            ends[0][edges[:, 1]] - ends[0][edges[:, 0]],
-            ends[1][edges[:, 1]] - ends[1][edges[:, 0]],
+            start,
+            end,
             beside,
+            np.where(mesh.turned[beside], _edge_angles(start, end, near), np.nan),
             mesh.body.matrix,
         )
 
-    def along(self, points: Points) -> Floats:
+    def between(self, points: Points) -> Floats:
         """The edges as vectors between moving points (F, V, 2), (F, N, 2)."""
         return np.asarray(points[:, self.elements[:, 1]] - points[:, self.elements[:, 0]])
 
-    def turned(self, wanted: Floats) -> Floats:
+    def directions(self, wanted: Floats, t: Floats) -> Floats:
         """The edges as the wanted Jacobians (F, T, 2, 2) beside them turn them, (F, N, 2)."""
-        return np.asarray((wanted[:, self.beside] @ self.start[..., None])[..., 0])
+        by_angle = rotations(t[:, None] * np.nan_to_num(self.angles))
+        turns = np.where(np.isnan(self.angles)[:, None, None], wanted[:, self.beside], by_angle)
+        return np.asarray((turns @ self.start[..., None])[..., 0])
 
     def lengths(self, whole: Floats, t: Floats) -> Floats:
         """Wanted lengths (F, N): straight between the ends, but for the motion of the whole.
@@ -254,9 +272,19 @@ class _Edges:
             + t[:, None] * np.linalg.norm(self.end @ np.swapaxes(whole @ back, 1, 2), axis=2)
         )
 
-    def parts(self, along: Floats, lengths: Floats) -> Floats:
-        """What the edges add to the right side, (F, N, 3, 2)."""
-        size = np.linalg.norm(along, axis=2)
-        scaled = along * (lengths / np.where(size > 0, size, 1))[..., None]
-        weight = self.blocks[:, 0, 0, None]
-        return np.stack([-weight * scaled, weight * scaled, 0 * scaled], axis=2)
+    def parts(self, wanted: Floats) -> Floats:
+        """What wanted edges (F, N, 2) add to the right side, (F, N, 3, 2)."""
+        pull = self.blocks[:, 0, 0, None] * wanted
+        return np.stack([-pull, pull, np.zeros_like(pull)], axis=2)
+
+
+def _directed(vectors: Floats, lengths: Floats) -> Floats:
+    """Vectors (F, N, 2) brought to given lengths (F, N)."""
+    size = np.linalg.norm(vectors, axis=2)
+    return np.asarray(vectors * (lengths / np.where(size > 0, size, 1))[..., None])
+
+
+def _edge_angles(start: Floats, end: Floats, near: Floats) -> Floats:
+    """Angles by which edges turn, nearest to given ones, (N,)."""
+    angles = np.arctan2(cross(start, end), (start * end).sum(axis=1))
+    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))

@@ -10,7 +10,8 @@ import numpy as np
 
 from shapetween.arrays import Floats, Points
 from shapetween.errors import OutlineError
-from shapetween.plane.jacobians import polar_angles, polar_path, rotations
+from shapetween.geometry.rotation import rotations
+from shapetween.plane.jacobians import polar_angles, polar_path
 
 __all__ = ["AffinePath", "Pose", "affine_path"]
 
@@ -18,6 +19,9 @@ __all__ = ["AffinePath", "Pose", "affine_path"]
 #: whole affine map, and from which on it follows only the similarity in it. Larger, and unlike
 #: shapes shear the frame; smaller, and rounding in a matching breaks affine pairs.
 AFFINE_RESIDUAL = (0.002, 0.05)
+
+#: Angle next to a half turn backwards that counts as one forwards, or rounding would choose.
+HALF_TURN_TIE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,7 +81,7 @@ class AffinePath:
 
     def reversed(self) -> "AffinePath":
         """The same path backwards, as seen from its end."""
-        return AffinePath(np.linalg.inv(self.matrix), -self.angle)
+        return AffinePath(np.asarray(np.linalg.inv(self.matrix), dtype=np.float64), -self.angle)
 
 
 def affine_path(source: Points, target: Points) -> AffinePath:
@@ -97,11 +101,12 @@ def affine_path(source: Points, target: Points) -> AffinePath:
     moment = target.T @ source
     turn = rotations(polar_angles(moment))
     similarity = turn * np.sqrt((target**2).sum() / (source**2).sum())
-    affine = np.linalg.lstsq(source, target, rcond=None)[0].T
+    affine = np.asarray(np.linalg.lstsq(source, target, rcond=None)[0].T, dtype=np.float64)
     residual = np.sqrt(((source @ affine.T - target) ** 2).sum(axis=1).mean())
     low, high = AFFINE_RESIDUAL
     share = np.clip((residual - low) / (high - low), 0, 1)
-    matrix = np.asarray(affine + share * (similarity - affine), dtype=np.float64)
+    matrix = affine + share * (similarity - affine)
     if np.linalg.det(affine) <= 0 or np.linalg.det(matrix) <= 0:
         matrix = similarity
-    return AffinePath(matrix, float(polar_angles(matrix)))
+    angle = float(polar_angles(matrix))
+    return AffinePath(matrix, angle + 2 * np.pi * (angle < HALF_TURN_TIE - np.pi))

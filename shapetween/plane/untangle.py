@@ -21,8 +21,9 @@ import numpy as np
 from scipy.linalg import LinAlgError, solveh_banded
 
 from shapetween.arrays import Floats, Index, Mask, Points
+from shapetween.geometry.rotation import rotations
 from shapetween.plane.banded import BandPattern, numbered
-from shapetween.plane.jacobians import gradients, jacobians, rotations
+from shapetween.plane.jacobians import gradients, jacobians
 
 __all__ = ["Untangler"]
 
