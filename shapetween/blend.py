@@ -18,7 +18,7 @@ from shapetween.arrays import Floats
 from shapetween.gradients import common_offsets, in_normal_form, on_offsets, solid_gradient
 from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 
-__all__ = ["blend", "blend_colours", "blend_paints", "faded"]
+__all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab"]
 
 #: Linear sRGB to the cone responses, and their cube roots to OKLab ([Ott20]_).
 CONES = np.array(
@@ -109,7 +109,7 @@ def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
     if (a.red, a.green, a.blue) == (b.red, b.green, b.blue):
         return replace(a, alpha=alpha)
     share = t * b.alpha / alpha if alpha > 0 else t
-    return _from_lab((1 - share) * _to_lab(a) + share * _to_lab(b), alpha)
+    return from_oklab((1 - share) * _to_lab(a) + share * _to_lab(b), alpha)
 
 
 @lru_cache(maxsize=4096)
@@ -119,7 +119,8 @@ def _to_lab(colour: Colour) -> Floats:
     return np.asarray(LAB @ np.cbrt(CONES @ linear))
 
 
-def _from_lab(lab: Floats, alpha: float) -> Colour:
+def from_oklab(lab: Floats, alpha: float = 1.0) -> Colour:
+    """The sRGB colour nearest to a point (3,) of OKLab, component by component."""
     linear = np.clip(CONES_BACK @ (LAB_BACK @ lab) ** 3, 0.0, 1.0)
     srgb = np.where(linear <= 0.0031308, linear * 12.92, 1.055 * linear ** (1 / 2.4) - 0.055)
     red, green, blue = np.clip(srgb, 0.0, 1.0).tolist()
@@ -161,7 +162,7 @@ def _mean_colour(gradient: Gradient) -> Colour:
     alpha = float(widths @ alphas)
     weights = widths * alphas / alpha if alpha > 0 else widths
     labs = np.array([_to_lab(stop.colour) for stop in gradient.stops])
-    return _from_lab(weights @ labs, alpha)
+    return from_oklab(weights @ labs, alpha)
 
 
 def _blend_strokes(a: Stroke | None, b: Stroke | None, t: float) -> Stroke | None:
