@@ -1,0 +1,70 @@
+"""The group of all commands, each imported only when it is asked for, and the exit codes."""
+
+import sys
+from importlib import import_module
+
+import click
+
+from shapetween.errors import ShapetweenError
+
+__all__ = ["cli", "main"]
+
+#: Every command: the module it lives in, and its line in the help.
+COMMANDS = {
+    "morph": ("shapetween.cli.pair", "Write one animated SVG that moves from A to B."),
+    "frames": ("shapetween.cli.pair", "Write one SVG a frame."),
+    "mesh": ("shapetween.cli.pair", "Show what goes where, or keep the mesh."),
+}
+
+
+class Commands(click.Group):
+    """Commands that are imported by name, so that help and a wrong option come at once."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names in the order of the help."""
+        del ctx
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import one command."""
+        del ctx
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = getattr(import_module(COMMANDS[cmd_name][0]), cmd_name)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the commands without importing them."""
+        del ctx
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, line) for name, (_, line) in COMMANDS.items()])
+
+
+@click.group(
+    cls=Commands,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Example:  shapetween morph cat.svg dog.svg -o cat-to-dog.svg",
+)
+@click.version_option(package_name="shapetween")
+def cli() -> None:
+    """Turn two SVG drawings into the movement between them."""
+
+
+def main() -> None:
+    """Run the command line; whatever the user can mend becomes one line and exit code 2."""
+    try:
+        code = cli.main(prog_name="shapetween", standalone_mode=False)
+    except click.ClickException as error:
+        _fail(error.format_message())
+    except ShapetweenError as error:
+        _fail(str(error))
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("shapetween: stopped", err=True)
+        sys.exit(130)
+    else:
+        sys.exit(code if isinstance(code, int) else 0)
+
+
+def _fail(message: str) -> None:
+    click.echo(f"shapetween: error: {' '.join(message.split())}", err=True)
+    sys.exit(2)
