@@ -15,8 +15,9 @@ from shapetween.fit import Fit, inverted, mapped
 from shapetween.frames import even_times
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
-from shapetween.pipeline import Options, Prepared, ShapeMorph, prepare
+from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.ring import Folds
+from shapetween.svg.diagram import MeshView
 from shapetween.svg.read import read_svg
 
 __all__ = ["Morph", "morph"]
@@ -86,18 +87,36 @@ class Morph:
     @property
     def meshes(self) -> tuple[tuple[str, MeshPair], ...]:
         """Name and mesh of every shape, vertices in each drawing's own user units."""
-        return tuple((shape.name, self._own_units(shape)) for shape in self.prepared.shapes)
-
-    def _own_units(self, shape: ShapeMorph) -> MeshPair:
-        pair = shape.ring.mesh.pair
-        target = mapped(pair.target, inverted(self.prepared.fit))
-        return MeshPair(pair.source, target, pair.quads, pair.triangles)
+        return tuple((view.name, view.pair) for view in self._views())
 
     def mesh_json(self) -> str:
-        """The meshes as the text of a file that `--mesh` takes."""
+        """The meshes as the text of a file that can be edited and given back."""
         from shapetween.meshfile import dump_meshes
 
         return dump_meshes(self.meshes)
+
+    def mesh_svg(self, names: tuple[str, str] = ("A", "B")) -> str:
+        """A picture of both shapes with numbered quads and the nodes that belong together."""
+        from shapetween.svg.diagram import mesh_svg
+
+        return mesh_svg(self._views(), names)
+
+    def _views(self) -> list[MeshView]:
+        back = inverted(self.prepared.fit)
+        views = []
+        for shape in self.prepared.shapes:
+            ring = shape.ring.mesh
+            pair = MeshPair(
+                ring.pair.source,
+                mapped(ring.pair.target, back),
+                ring.pair.quads,
+                ring.pair.triangles,
+            )
+            nodes = np.arange(len(ring.kept))
+            views.append(
+                MeshView(shape.name, ring.source, ring.target.transformed(back), pair, nodes)
+            )
+        return views
 
     def _repr_html_(self) -> str:
         """Show the movement in a notebook."""

@@ -17,8 +17,8 @@ from shapetween.svg.clip import Clipper
 from shapetween.svg.document import Document, title_of
 from shapetween.svg.figure import shapes_of
 from shapetween.svg.limits import Limits
-from shapetween.svg.transform import IDENTITY
-from shapetween.svg.units import Viewport
+from shapetween.svg.transform import affine
+from shapetween.svg.units import Viewport, common_unit
 from shapetween.svg.viewbox import parse_view_box
 from shapetween.svg.walk import Frame, walk
 
@@ -47,7 +47,9 @@ def read_svg(data: bytes, name: str, limits: Limits | None = None) -> Drawing:
     Returns
     -------
     Drawing
-        In the user units of the root's view box; without one in px. At least one shape. Rings
+        In the user units of the root's view box. Without one, in the unit that the page's width
+        and height are written in, as drawing programs show it: a page of 210mm by 297mm is 210 by
+        297; px where they name none, or two. At least one shape. Rings
         that are only filled are closed; stroked ones stay open where they were drawn so.
         ``warnings`` names what the file holds that could not be carried.
 
@@ -71,10 +73,14 @@ def _read(data: bytes, name: str, limits: Limits) -> Drawing:
     if view_box is None and root.get("viewBox", "").strip():
         document.losses.add("its viewBox is malformed or has no area and was left out")
     page = _page(root)
+    unit = 1.0 if view_box else common_unit(root.get("width"), root.get("height"))
     seen = view_box or page
     width, height = (seen.width, seen.height) if seen else DEFAULT_SIZE
-    pixel = view_box.width / page.width if view_box and page else 1.0
-    frame = Frame(IDENTITY, {}, Viewport(width, height), pixel)
+    pixel = view_box.width / page.width if view_box and page else 1 / unit
+    written = affine(1 / unit, 0, 0, 1 / unit, 0, 0)
+    frame = Frame(written, {}, Viewport(width, height), pixel)
+    if seen and not view_box:
+        seen = Box(0.0, 0.0, seen.width / unit, seen.height / unit)
 
     shapes: list[Shape] = []
     clipper = Clipper(document)

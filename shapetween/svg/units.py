@@ -9,7 +9,7 @@ from math import isfinite, sqrt
 
 from shapetween.svg.transform import NUMBER
 
-__all__ = ["Viewport", "number", "numbers"]
+__all__ = ["Viewport", "common_unit", "number", "numbers"]
 
 _LENGTH = re.compile(rf"\s*({NUMBER})\s*([A-Za-z%]*)\s*", re.ASCII)
 _SEPARATED = re.compile(rf"[\s,]*({NUMBER})", re.ASCII)
@@ -52,6 +52,13 @@ def numbers(text: str, most: int) -> tuple[list[float], str]:
         values.append(value)
         position = found.end()
     return values, text[position:].strip(" \t\r\n,")
+
+
+def common_unit(*lengths: str | None) -> float:
+    """Pixels in the absolute unit that all these lengths are written in; 1 if there is no such."""
+    found = [_LENGTH.fullmatch(text or "") for text in lengths]
+    units = {match[2].lower() if match else "" for match in found}
+    return _PIXELS.get(units.pop(), 1.0) if len(units) == 1 else 1.0
 
 
 @dataclass(frozen=True, slots=True)
