@@ -4,7 +4,9 @@ from collections import Counter
 from xml.etree.ElementTree import Element
 
 from shapetween.svg.limits import Limits
+from shapetween.svg.pathdata import PathData
 from shapetween.svg.style import Cascade
+from shapetween.svg.units import Viewport
 from shapetween.svg.xml import XLINK, local_name, parse_xml
 
 __all__ = ["Document", "Losses", "href", "label", "title_of"]
@@ -59,6 +61,8 @@ class Document:
     cascade : Cascade
     losses : Losses
         Filled as the document is drawn.
+    geometry : dict
+        What elements draw in viewports, kept for those that are drawn again.
 
     Raises
     ------
@@ -80,6 +84,7 @@ class Document:
             identity = element.get("id")
             if identity:
                 self.ids.setdefault(identity, element)
+        self.geometry: dict[tuple[Element, Viewport], PathData] = {}
         self._parents: dict[Element, Element] | None = None
         self._spent: Counter[str] = Counter()
 

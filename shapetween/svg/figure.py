@@ -55,7 +55,7 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     for layer in layers:
         rings = rings_of(document, placed, subpaths, layer)
         if rings:
-            shapes.append(Shape(rings, layer, placed.frame.name))
+            shapes.append(Shape(rings, layer, placed.name))
     return shapes
 
 
@@ -66,16 +66,18 @@ def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
     ------
     BudgetError
     """
-    values = dict(placed.values)
-    path = _CSS_PATH.fullmatch(values.get("d", "").strip())
-    if path:
-        values["d"] = path[2]
-    most = document.limits.path_commands
-    data = basic_shape(placed.tag, values, placed.frame.viewport, most)
+    viewport = placed.frame.viewport
+    data = document.geometry.get((placed.element, viewport))
+    if data is None:
+        values = dict(placed.values)
+        path = _CSS_PATH.fullmatch(values.get("d", "").strip())
+        if path:
+            values["d"] = path[2]
+        data = basic_shape(placed.tag, values, viewport, document.limits.path_commands)
+        document.geometry[placed.element, viewport] = data
     document.spend("path_commands", data.commands)
     if data.problem:
-        name = placed.frame.name
-        where = f"in {name!r}, " if name else ""
+        where = f"in {placed.name!r}, " if placed.name else ""
         document.losses.add(LOST_TAIL, where + data.problem)
     return _in_range(document, data.subpaths)
 

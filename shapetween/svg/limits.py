@@ -36,11 +36,11 @@ class Limits:
 
     file_bytes: int = 32_000_000
     unpacked_bytes: int = 64_000_000
-    elements: int = 50_000
+    elements: int = 30_000
     nesting: int = 256
     entity_growth: int = 100_000
     path_commands: int = 80_000
-    use_copies: int = 20_000
+    use_copies: int = 10_000
     style_tests: int = 5_000_000
 
     def check(self, limit: str, amount: int, name: str) -> None:

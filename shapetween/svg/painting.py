@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import Literal, cast
 
+import numpy as np
+
 from shapetween.geometry.bezier import curve_lengths
 from shapetween.paint import Colour, FillRule, Paint, Stroke, Style
 from shapetween.svg.colours import CURRENT, parse_paint
@@ -109,8 +111,7 @@ def _stroke(
     dashes = _dashes(frame)
     dash_unit = scale
     if dashes and path_length is not None and path_length > 0:
-        drawn = sum(float(curve_lengths(subpath.curves).sum()) for subpath in subpaths)
-        dash_unit *= drawn / path_length
+        dash_unit *= sum(map(_length, subpaths)) / path_length
     offset = viewport.length(properties.get("stroke-dashoffset"), viewport.diagonal) or 0.0
     return Stroke(
         paint=paint,
@@ -138,3 +139,12 @@ def _dashes(frame: Frame) -> tuple[float, ...]:
     if not sum(dashes):
         return ()
     return tuple(dashes * 2 if len(dashes) % 2 else dashes)
+
+
+def _length(subpath: Subpath) -> float:
+    """Length of a subpath with the line that closes it."""
+    curves = subpath.curves
+    if not len(curves):
+        return 0.0
+    closing = np.linalg.norm(curves[-1, 3] - subpath.start) if subpath.closed else 0.0
+    return float(curve_lengths(curves).sum() + closing)

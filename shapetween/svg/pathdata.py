@@ -16,7 +16,6 @@ from itertools import islice, pairwise, takewhile
 import numpy as np
 
 from shapetween.arrays import Curves, Points
-from shapetween.geometry.bezier import line_curves
 from shapetween.svg.arcs import arc_curves
 from shapetween.svg.transform import NUMBER
 from shapetween.svg.units import GREATEST
@@ -80,8 +79,7 @@ class Subpath:
         N is 0 when a lone point is closed.
     start : (2,) float64
     closed : bool
-        Whether a closepath ends it. The line that closes it is among the curves, unless it would
-        have no length.
+        Whether a closepath ends it. The line that it draws to the start is not among the curves.
     """
 
     curves: Curves
@@ -227,10 +225,7 @@ def _subpath(start: _Point, runs: list[_Run], closed: bool) -> Subpath:
         curves = _plain_curves(start, runs)
     else:
         curves = _parsed_curves(start, runs)
-    origin = np.array(start)
-    if closed and len(curves) and (curves[-1, 3] != origin).any():
-        curves = np.concatenate([curves, line_curves(curves[-1:, 3], origin[None])])
-    return Subpath(curves, origin, closed)
+    return Subpath(curves, np.array(start), closed)
 
 
 def _plain_curves(start: _Point, runs: list[_Run]) -> Curves:

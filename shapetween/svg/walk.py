@@ -106,6 +106,11 @@ class Placed:
     frame: Frame
 
     @property
+    def name(self) -> str:
+        """What the shape is called: as the ``use`` that draws it, else by itself."""
+        return self.frame.name or label(self.element)
+
+    @property
     def values(self) -> Properties:
         """Attributes, overridden by properties."""
         return {**dict(self.element.items()), **self.frame.properties}
@@ -157,7 +162,7 @@ def walk(document: Document, start: Element, frame: Frame) -> Iterator[Placed]:
         if inner is None:
             continue
         if tag in SHAPES:
-            yield Placed(element, tag, replace(inner, name=inner.name or label(element)))
+            yield Placed(element, tag, inner)
         elif tag == "use":
             target = _used(document, element, inner)
             if target is not None:
@@ -193,8 +198,10 @@ def entered(
     outer : Frame
     """
     matrix = outer.matrix
+    viewport = outer.viewport
     font_size = _font_size(properties, outer)
-    viewport = replace(outer.viewport, font_size=font_size)
+    if font_size != viewport.font_size:
+        viewport = replace(viewport, font_size=font_size)
     own = properties.get("transform")
     if own:
         step = parse_transform(own)
@@ -202,8 +209,8 @@ def entered(
             document.losses.add("a malformed transform was left out")
         else:
             matrix = compose(matrix, _about_origin(step, properties, viewport))
-    if not np.isfinite(matrix).all() or mean_scale(matrix) == 0:
-        return None
+            if not np.isfinite(matrix).all() or mean_scale(matrix) == 0:
+                return None
     opacity = number(properties.get("opacity"))
     opacity = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
     if opacity == 0:
