@@ -11,6 +11,7 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
+from shapetween.meshing.contour import settled
 
 __all__ = ["candidate_nodes", "far_sample", "simplified"]
 
@@ -26,6 +27,9 @@ CORNER_BONUS = 1.25
 #: and feet crowd where candidates are already; larger, and thin limbs lose their ribs.
 FOOT_CLEARANCE = 0.45
 
+#: Radius of discs as large as any that matter, where a shape has an area of 1.
+FAR = 1e3
+
 
 def far_sample(points: Points) -> int:
     """Sample furthest from the middle in both contours together: a place both can agree on.
@@ -35,7 +39,7 @@ def far_sample(points: Points) -> int:
     step = np.sqrt(((np.roll(points, -1, axis=1) - points) ** 2).sum(-1))
     weight = step + np.roll(step, 1, axis=1)
     middle = (points * weight[..., None]).sum(axis=1) / weight.sum(axis=1)[:, None]
-    return int(np.argmax(((points - middle[:, None]) ** 2).sum(axis=(0, -1))))
+    return int(np.argmax(settled(((points - middle[:, None]) ** 2).sum(axis=(0, -1)))))
 
 
 def _off_chord(curve: Points, first: int, last: int) -> Floats:
@@ -76,7 +80,8 @@ def simplified(points: Points, corners: Mask, count: int, kept: Index | None = N
 
     def push(first: int, last: int) -> None:
         if last - first > 1:
-            score = _off_chord(curve, first, last) * bonus[np.arange(first + 1, last) % total]
+            inner = np.arange(first + 1, last) % total
+            score = settled(_off_chord(curve, first, last) * bonus[inner])
             best = int(np.argmax(score))
             heapq.heappush(heap, (-float(score[best]), first, first + 1 + best, last))
 
@@ -116,6 +121,7 @@ def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
     ahead = inward > 1e-6 * np.sqrt(square)
     radii = np.where(ahead, square / np.where(ahead, 2 * inward, 1.0), np.inf)
     around = (nodes[:, None] + np.arange(-2, 3)) % points.shape[1]
+    radii = settled(np.minimum(radii, FAR))
     np.put_along_axis(radii, np.broadcast_to(around, (2, *around.shape)), np.inf, axis=2)
     feet = radii.argmin(axis=2)
     return feet, np.take_along_axis(radii, feet[..., None], axis=2)[..., 0]

@@ -10,7 +10,11 @@ import numpy as np
 from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
 
-__all__ = ["Contours", "arc_waste", "left_out", "outside_lengths"]
+__all__ = ["Contours", "arc_waste", "left_out", "outside_lengths", "settled"]
+
+#: Step to which numbers that decide something are rounded. Larger, and it shows in the mesh;
+#: smaller, and symmetric shapes get another mesh when they are turned.
+STEP = 2.0**-30
 
 #: Sine of the angle by which a chord may set out to the outside of a contour and still be looked
 #: at. Larger only costs time; smaller, and ripples of the outline hide useful chords.
@@ -56,6 +60,15 @@ class Contours:
     def __len__(self) -> int:
         """Number of samples."""
         return int(self.points.shape[1])
+
+
+def settled(values: Floats) -> Floats:
+    """Round to a fixed step, so that what is equal but for rounding is equal.
+
+    Between equals the first is taken then, whatever the unit and turn of the shapes. Sums of such
+    numbers are exact.
+    """
+    return np.asarray(np.round(values / STEP) * STEP)
 
 
 def arc_waste(contours: Contours, first: Index, last: Index) -> Floats:

@@ -11,7 +11,7 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
-from shapetween.meshing.contour import Contours, arc_waste, outside_lengths
+from shapetween.meshing.contour import Contours, arc_waste, outside_lengths, settled
 from shapetween.meshing.dissection import Dissection, completed_quads, dissect, linked_faces
 from shapetween.meshing.quality import MIN_CORNER_SINE, FaceFigures, face_figures
 
@@ -90,7 +90,7 @@ def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
     """Price of every quad, whatever its links cost."""
     sharp = np.clip(1 - figures.sine / ROUND_SINE, 0, 1)
     perspective = np.log(np.minimum(figures.perspective, 100.0)) ** 2
-    return np.asarray(
+    return settled(
         quad_price
         + SHARP_PRICE * sharp**2
         + PERSPECTIVE_PRICE * np.minimum(perspective, 8.0)
@@ -102,9 +102,7 @@ def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
 
 def triangle_prices(figures: FaceFigures) -> Floats:
     """Price of every triangle, whatever its links cost."""
-    return np.asarray(
-        TRIANGLE_PRICE + UNCOVERED_PRICE * abs(figures.area) + _broken_prices(figures)
-    )
+    return settled(TRIANGLE_PRICE + UNCOVERED_PRICE * abs(figures.area) + _broken_prices(figures))
 
 
 def _broken_prices(figures: FaceFigures) -> Floats:
@@ -114,7 +112,7 @@ def _broken_prices(figures: FaceFigures) -> Floats:
 
 def side_prices(waste: Floats) -> Floats:
     """Price of sides that waste so much of each shape, (2, ...) to (...)."""
-    return np.asarray(UNCOVERED_PRICE * waste.mean(axis=0))
+    return settled(UNCOVERED_PRICE * waste.mean(axis=0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -210,7 +208,7 @@ def _link_prices(contours: Contours, nodes: Index, level: Level) -> tuple[Floats
     points = contours.points[:, nodes]
     outside = outside_lengths(contours.points, nodes)
     lengths = np.sqrt(((points[:, :, None] - points[:, None]) ** 2).sum(-1))
-    chords = OUTSIDE_PRICE * outside.sum(axis=0) + LENGTH_PRICE * lengths.sum(axis=0)
+    chords = settled(OUTSIDE_PRICE * outside.sum(axis=0) + LENGTH_PRICE * lengths.sum(axis=0))
     return sides, np.where((outside < level.outside).all(axis=0), chords, np.inf), closing
 
 
