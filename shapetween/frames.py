@@ -1,8 +1,9 @@
 """When frames are taken: easing, even frames, and keyframes no denser than the eye needs.
 
 Two clocks run here. A player's clock `u` goes evenly from 0 to 1; the movement's time `t` is what
-an easing makes of it. A player that moves on straight lines between keyframes is right only where
-the movement is straight in `u`, so keyframes are chosen there.
+an easing makes of it, a Bezier curve through both: (u, t) = (x(s), y(s)). A player that moves on
+straight lines between keyframes is right only where the movement is straight in `u`, so keyframes
+are chosen there.
 
 .. [Css] CSS Easing Functions Level 1, section 2.2, W3C.
 """
@@ -45,8 +46,8 @@ EASINGS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
 #: a pixel. Larger and the in-betweens drift visibly; smaller and the file grows for nothing seen.
 KEYFRAME_TOLERANCE = 1.8e-4
 
-#: Steps of the clock on which keyframes may lie. Fewer miss quick turns between two of them; more
-#: cost time. 120 has the halves, thirds, quarters, fifths and sixths of a chain of movements.
+#: Steps on which keyframes may lie. Fewer miss quick turns between two of them; more cost time.
+#: 120 has the halves, thirds, quarters, fifths and sixths of a chain of movements.
 SAMPLE_STEPS = 120
 
 #: Halvings with which a Bezier easing is solved for its parameter: to the last bit of a double.
@@ -73,7 +74,7 @@ def easing_function(name: str) -> Easing:
     >>> easing_function("ease-in")(np.array([0.0, 0.5, 1.0])).round(3)
     array([0.   , 0.315, 1.   ])
     """
-    x1, y1, x2, y2 = EASINGS[name] if name in EASINGS else _bezier_handles(name)
+    x1, y1, x2, y2 = _handles(name)
     if (x1, x2) == (y1, y2):
         return np.asarray
 
@@ -97,8 +98,10 @@ def _bezier(s: Floats, first: float, second: float) -> Floats:
     return 3 * r * r * s * first + 3 * r * s * s * second + s**3
 
 
-def _bezier_handles(name: str) -> tuple[float, float, float, float]:
-    """The numbers in ``cubic-bezier(x1,y1,x2,y2)``."""
+def _handles(name: str) -> tuple[float, float, float, float]:
+    """The handles x1, y1, x2, y2 of an easing."""
+    if name in EASINGS:
+        return EASINGS[name]
     compact = "".join(name.split()).lower()
     inner = compact.removeprefix("cubic-bezier(").removesuffix(")")
     try:
@@ -127,18 +130,29 @@ def even_times(count: int) -> Floats:
     return np.arange(count) / max(count - 1, 1)
 
 
-def sample_times() -> Floats:
-    """The times of a player's clock on which `keyframes` may choose."""
-    return even_times(SAMPLE_STEPS + 1)
+def sample_times(easing: str) -> tuple[Floats, Floats]:
+    """Times on which `keyframes` may choose: the player's, and the movement's, (S,) each.
+
+    They are even along the easing's curve, so that a steep easing leaves no gap in either.
+    """
+    x1, y1, x2, y2 = _handles(easing)
+    s = even_times(SAMPLE_STEPS + 1)
+    if (x1, x2) == (y1, y2):
+        return s, s
+    # Rounding must neither leave [0, 1] nor turn the clock back where it all but stands.
+    clock = np.maximum.accumulate(np.clip(_bezier(s, x1, x2), 0.0, 1.0))
+    return clock, np.clip(_bezier(s, y1, y2), 0.0, 1.0)
 
 
-def keyframes(samples: Floats, tolerance: float) -> Index:
+def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
     """Choose samples between which straight lines stay near all the others.
 
     Parameters
     ----------
     samples : (S, K, D) float64
-        K points, or colours, at S even times.
+        K points, or colours.
+    times : (S,) float64
+        When each sample is shown, not falling.
     tolerance : float
         Greatest distance allowed between a point and the straight line in time that stands for it.
         Moving a Bezier's control points moves no point of the curve farther.
@@ -160,14 +174,15 @@ def keyframes(samples: Floats, tolerance: float) -> Index:
     while chosen[-1] < last:
         start = chosen[-1]
         end = start + 1
-        while end < last and _is_near(samples[start : end + 2], tolerance):
+        while end < last and _is_near(samples[start : end + 2], times[start : end + 2], tolerance):
             end += 1
         chosen.append(end)
     return np.array(chosen, np.intp)
 
 
-def _is_near(samples: Floats, tolerance: float) -> bool:
+def _is_near(samples: Floats, times: Floats, tolerance: float) -> bool:
     """Whether a straight line in time from the first to the last sample is near all of them."""
-    share = (np.arange(1, len(samples) - 1) / (len(samples) - 1))[:, None, None]
+    span = times[-1] - times[0]
+    share = ((times[1:-1] - times[0]) / (span if span > 0 else 1.0))[:, None, None]
     straight = (1 - share) * samples[0] + share * samples[-1]
     return bool((((samples[1:-1] - straight) ** 2).sum(-1) <= tolerance**2).all())

@@ -81,7 +81,7 @@ def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:
         return list(paints)
     track: list[PaintT] = []
     for k, paint in enumerate(paints):
-        near = paints[min(present, key=lambda other: abs(other - k))]
+        near = paints[_nearest(present, k)]
         if paint is None:
             assert near is not None  # it is one of those present
             paint = faded(near, 0.0)
@@ -91,12 +91,17 @@ def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:
     return track
 
 
+def _nearest(samples: Sequence[int], sample: int) -> int:
+    """The nearest of some samples, the later of two: what is reached is more like what follows."""
+    return min(samples, key=lambda other: (abs(other - sample), -other))
+
+
 def _strokes(strokes: Sequence[Stroke | None]) -> Sequence[Stroke | None]:
     """The strokes with none missing, unless all are, and with paints of one sort."""
     present = [k for k, stroke in enumerate(strokes) if stroke is not None]
     if not present:
         return strokes
-    nearest = [strokes[min(present, key=lambda other: abs(other - k))] for k in range(len(strokes))]
+    nearest = [strokes[_nearest(present, k)] for k in range(len(strokes))]
     filled = [_without_seams(stroke) for stroke in nearest if stroke is not None]
     paints = _of_one_sort([stroke.paint for stroke in filled])
     return [

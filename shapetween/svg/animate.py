@@ -46,7 +46,9 @@ class Clock:
 
     def pick(self, samples: Floats, tolerance: float) -> Index:
         """Which of the samples (S, K, D) become keyframes."""
-        return keyframes(samples, tolerance) if self.adaptive else np.arange(len(samples))
+        if not self.adaptive:
+            return np.arange(len(samples))
+        return keyframes(samples, self.times, tolerance)
 
     def straight(self, times: Floats, values: Sequence[str]) -> dict[str, str]:
         """Attributes that show each value at its time, way back included, and blend between."""

@@ -73,8 +73,7 @@ def smil_svg(
     OptionError
         If an option cannot be used; the message says what could.
     """
-    clock = _clock(duration, loop, keyframes)
-    time = easing_function(easing)(clock.times)
+    clock, time = _clock(duration, easing, loop, keyframes)
     size = max(movement.box.width, movement.box.height)
     gradients = GradientDefs(decimals_for(movement.box, precision))
 
@@ -92,17 +91,21 @@ def smil_svg(
     return text_of(root)
 
 
-def _clock(duration: float, loop: Loop, keyframes: Literal["auto"] | int) -> Clock:
-    """The clock the options ask for."""
+def _clock(
+    duration: float, easing: str, loop: Loop, keyframes: Literal["auto"] | int
+) -> tuple[Clock, Floats]:
+    """The clock the options ask for, and the movement's time at each of its samples."""
     if not (math.isfinite(duration) and duration >= 1e-3):
         raise OptionError(f"duration {duration}: expected seconds, at least 0.001")
     if loop not in get_args(Loop):
         raise OptionError(f"loop {loop!r}: expected {', '.join(get_args(Loop))}")
     if keyframes == "auto":
-        return Clock(sample_times(), True, duration, loop)
+        times, movement_times = sample_times(easing)
+        return Clock(times, True, duration, loop), movement_times
     if keyframes < 2:
         raise OptionError(f"{keyframes} keyframes: expected 'auto' or at least 2")
-    return Clock(even_times(keyframes), False, duration, loop)
+    times = even_times(keyframes)
+    return Clock(times, False, duration, loop), easing_function(easing)(times)
 
 
 def _add_part(
