@@ -9,11 +9,23 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from shapetween.arrays import Floats, Index
 
-__all__ = ["Paths", "cyclic_paths", "open_path"]
+__all__ = ["Paths", "cyclic_paths"]
 
-#: Steps along (source, target), in stations. Slopes from 1/5 to 5; (2, 3) beside (1, 2) lets a
+#: Steps along (source, target), in stations. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
 #: slope of 1.5 be even.
-MOVES = ((1, 1), (1, 2), (2, 1), (2, 3), (3, 2), (1, 3), (3, 1), (1, 5), (5, 1))
+MOVES = (
+    (1, 1),
+    (1, 2),
+    (2, 1),
+    (2, 3),
+    (3, 2),
+    (1, 3),
+    (3, 1),
+    (1, 5),
+    (5, 1),
+    (1, 8),
+    (8, 1),
+)
 
 #: Price of every station by which a move favours one outline; less invites needless slips.
 SKEW_PRICE = 0.1
@@ -76,25 +88,37 @@ class Paths:
         return rows, columns
 
 
-def cyclic_paths(cost: Floats, every: int) -> Paths:
-    """Cheapest closed paths through the costs of two rings of n stations each, (n, n).
+def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> Paths:
+    """Cheapest closed paths through the costs of two rings of n stations each.
 
-    They start at station 0 of the first ring and at each `every`-th of the second.
+    Parameters
+    ----------
+    cost : (n, n) float64
+        Infinite costs bar a cell.
+    reward : (n, n) float64
+        Taken off the price of a move that ends in the cell.
+    fixed : (k,) intp
+        Stations of the first ring that must be matched with the same of the second.
+    starts : (S,) intp
+        Stations of the second ring that station 0 of the first may be matched with.
     """
     count = len(cost)
-    prices = _prices(cost)
+    prices = _prices(_barred(cost, fixed)) - reward
+    for (di, dj), price in zip(MOVES, prices, strict=True):
+        # No move may step over a fixed station of either ring.
+        price[(fixed[:, None] + np.arange(1, di)).ravel() % count] = np.inf
+        price[:, (fixed[:, None] + np.arange(1, dj)).ravel() % count] = np.inf
     around = np.concatenate([prices, prices[:, :1]], axis=1)
     around = np.concatenate([around, around, around[:, :, :1]], axis=2)
-    return Paths(around, np.arange(0, count, every), count)
+    return Paths(around, starts, count)
 
 
-def open_path(cost: Floats) -> tuple[Index, Index]:
-    """Cheapest path from the first to the last cell of (n + 1, m + 1) costs.
-
-    Infinite costs bar a cell.
-    """
-    paths = Paths(_prices(cost), np.zeros(1, dtype=np.intp), cost.shape[1] - 1)
-    return paths.trace(0)
+def _barred(cost: Floats, fixed: Index) -> Floats:
+    """The costs with all but the fixed cells of fixed stations infinite."""
+    barred = cost.copy()
+    barred[fixed], barred[:, fixed] = np.inf, np.inf
+    barred[fixed, fixed] = cost[fixed, fixed]
+    return barred
 
 
 def _prices(cost: Floats) -> Floats:

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.arrays import Floats, Points
 from shapetween.correspond.sampling import SAMPLES
 from shapetween.geometry.polygon import cross
 
-__all__ = ["TURN_WINDOWS", "Features", "describe"]
+__all__ = ["SEEN_STEP", "TURN_WINDOWS", "Features", "contexts", "describe", "unit"]
 
 #: Half-widths of the windows the turning is measured in, as shares of the length.
 TURN_WINDOWS = (1 / 96, 1 / 48, 1 / 24, 1 / 12, 1 / 6)
@@ -26,6 +26,10 @@ RINGS, SECTORS, NEAREST, FARTHEST = 5, 12, 1 / 8, 2.0
 #: Every how many-th sample is seen in a context.
 SEEN_STEP = SAMPLES // 96
 
+#: Half-width of the arc whose middle an apex points away from, in samples: wide enough to see
+#: the end of a limb as one.
+APEX_REACH = SAMPLES // 32
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Features:
@@ -37,20 +41,20 @@ class Features:
         Signed turn between the chords over each of `TURN_WINDOWS` before and after.
     tangents : (N, 2) float64
         Unit vectors.
+    apexes : (N, 2) float64
+        Unit vectors from the middle of the arc about the sample to the sample.
     inside, outside : (N,) float64
         Radius of the largest disc that touches the outline here on that side, in roots of the
         area, at most `MAX_RADIUS`.
-    opposite : (N,) intp
-        The sample that the inner disc touches as well.
     measure : (N + 1,) float64
         From 0 to 1: stations are set at equal steps of it, closer where the outline bends.
     """
 
     turns: Floats
     tangents: Points
+    apexes: Points
     inside: Floats
     outside: Floats
-    opposite: Index
     measure: Floats
 
 
@@ -58,17 +62,28 @@ def describe(points: Points) -> Features:
     """Features of evenly spaced points of a closed outline of area 1."""
     count = len(points)
     turns = np.stack([_turning(points, round(share * count)) for share in TURN_WINDOWS])
-    tangents = np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
-    size = np.linalg.norm(tangents, axis=1, keepdims=True)
-    tangents = tangents / np.where(size > 0, size, 1.0)
-    inside, opposite = _touching_disc(points, tangents, side=1.0)
-    outside, _ = _touching_disc(points, tangents, side=-1.0)
+    tangents = unit(np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0))
+    around = np.roll(points, APEX_REACH, axis=0) + np.roll(points, -APEX_REACH, axis=0)
+    inside, outside = _touching_discs(points, tangents)
     bend = np.abs(turns[1:3]).mean(axis=0)
     density = (1 - BEND_SHARE) / count + BEND_SHARE * bend / bend.sum()
     # Trapezoids, so that the measure is as smooth as the density.
     steps = (density + np.roll(density, -1)) / 2
     measure = np.concatenate([[0.0], np.cumsum(steps)])
-    return Features(turns, tangents, inside, outside, opposite, measure / measure[-1])
+    return Features(
+        turns=turns,
+        tangents=tangents,
+        apexes=unit(points - around / 2),
+        inside=inside,
+        outside=outside,
+        measure=measure / measure[-1],
+    )
+
+
+def unit(vectors: Points) -> Points:
+    """Vectors scaled to length 1; those of no length stay."""
+    size = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(vectors / np.where(size > 0, size, 1.0))
 
 
 def contexts(points: Points, seen: Points, axes: Points) -> Floats:
@@ -123,16 +138,17 @@ def _turning(points: Points, reach: int) -> Floats:
     return np.asarray(np.arctan2(cross(before, after), (before * after).sum(-1)))
 
 
-def _touching_disc(points: Points, tangents: Points, side: float) -> tuple[Floats, Index]:
-    """Radius of the largest empty disc touching at each point, and the other sample it touches."""
+def _touching_discs(points: Points, tangents: Points) -> tuple[Floats, Floats]:
+    """Radius of the largest empty disc that touches at each point, inside and outside."""
     count = len(points)
-    normals = side * np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
-    offset = points - points[:, None]
-    height = np.einsum("ijk,ik->ij", offset, normals)
-    square = (offset**2).sum(-1)
+    x, y = (points[:, k] - points[:, k, None] for k in (0, 1))
+    height = y * tangents[:, :1] - x * tangents[:, 1:]
+    square = x * x + y * y
     gap = np.abs(np.arange(count) - np.arange(count)[:, None])
-    near = np.minimum(gap, count - gap) <= 2
-    seen = (height > 1e-9) & ~near
-    radius = np.where(seen, square / np.where(seen, 2 * height, 1.0), np.inf)
-    other = radius.argmin(axis=1)
-    return np.minimum(radius[np.arange(count), other], MAX_RADIUS), other
+    # Neighbours say how the outline is sampled, not how thick the shape is.
+    square[np.minimum(gap, count - gap) <= 2] = np.inf
+    with np.errstate(divide="ignore"):
+        curvature = 2 * height / square
+    inside, outside = curvature.max(axis=1), -curvature.min(axis=1)
+    least = 1 / MAX_RADIUS
+    return 1 / np.maximum(inside, least), 1 / np.maximum(outside, least)

@@ -6,26 +6,27 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats
+from shapetween.arrays import Floats, Index
 from shapetween.correspond.correspondence import Confidence, Correspondence
 from shapetween.correspond.costs import (
     Prepared,
     intrinsic_cost,
+    likeness_of_vertices,
     prepare,
     stations,
     upright_cost,
 )
-from shapetween.correspond.dynamic import Paths, cyclic_paths, open_path
+from shapetween.correspond.dynamic import Paths, cyclic_paths
 from shapetween.outline import Outline
 
-__all__ = ["match"]
+__all__ = ["best_matching"]
 
 #: Stations a matching is chosen with, and how many of the second outline's are skipped between
 #: those the first one's first may be matched with. Fewer lose limbs, more time.
-STATIONS, EVERY = 96, 2
+STATIONS, EVERY = 96, 3
 
 #: Stations a chosen matching is refined with, and how far it may move, as a share of them.
-FINE_STATIONS, BAND = 192, 0.06
+FINE_STATIONS, BAND = 192, 0.04
 
 #: Least angle, radians, between the upright frame and one worth trying beside it.
 MIN_TURN = 0.25
@@ -35,13 +36,21 @@ DISTINCT = 0.03
 
 #: Drawings are meant upright: a turned frame must match this much better than the upright one.
 #: Higher turns shapes that only look alike when turned, lower misses the turned ones.
-FRAME_RATIO = 0.68
+FRAME_RATIO = 0.7
+
+#: Reward of a salient vertex that meets its like, in stations matched at full cost. Less, and a
+#: limb counts by its length alone; more, and what lies between is not listened to.
+VERTEX_REWARD = 3.0
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
 
 #: Least lead over the runner-up, as a share of the cost, of a matching that is sure, or likely.
 SURE, LIKELY = 0.3, 0.1
+
+#: How far along the outline a pin is felt, as a share of the length: about half a limb. There the
+#: look of the limb itself counts, not where it is.
+PIN_REACH = 0.12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,7 +60,7 @@ class Candidate:
     Attributes
     ----------
     a, b : (K,) float64
-        Knots, in both outlines' measures.
+        Knots, as fractions of both lengths from the canonical starts, over one turn.
     cost : float
     turn : float
         The frame: the angle the first outline was turned by.
@@ -63,12 +72,45 @@ class Candidate:
     turn: float
 
 
-def match(source: Outline, target: Outline) -> Correspondence:
-    """The best matching of two outlines that are no affine images of one another."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """Stations on both outlines; pinned ones are fixed to one another.
+
+    Attributes
+    ----------
+    a, b : (n,) float64
+        Places, fractions of the lengths from the canonical starts, increasing.
+    a_vertices, b_vertices : (K,) intp
+        The stations of the salient vertices.
+    fixed : (k,) intp
+        Pinned stations, the same on both.
+    starts : (S,) intp
+        Stations of the second that the first one's station 0 may be matched with.
+    """
+
+    a: Floats
+    b: Floats
+    a_vertices: Index
+    b_vertices: Index
+    fixed: Index
+    starts: Index
+
+
+def best_matching(source: Outline, target: Outline, pins: Floats) -> Correspondence:
+    """The best matching of two outlines that are no affine images of one another.
+
+    Parameters
+    ----------
+    source, target : Outline
+    pins : (K, 2) float64
+        Fractions along source and target that are to be matched, in cyclic order.
+    """
     a, b = prepare(source), prepare(target)
+    pins = pins - [a.samples.start, b.samples.start]
+    pins = pins - np.floor(pins)
     if _comes_second(a, b):
-        return _ordered_match(b, a).inverse()
-    return _ordered_match(a, b)
+        return _ordered_matching(b, a, pins[:, ::-1]).inverse()
+    return _ordered_matching(a, b, pins)
 
 
 def _comes_second(a: Prepared, b: Prepared) -> bool:
@@ -84,24 +126,33 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
     return bool(len(clear) and gaps[clear[0]] > 0)
 
 
-def _ordered_match(a: Prepared, b: Prepared) -> Correspondence:
-    at = np.arange(STATIONS) / STATIONS
-    sa, sb = stations(a, at), stations(b, at)
-    frames = [0.0]
-    intrinsic = _distinct(cyclic_paths(intrinsic_cost(sa, sb), EVERY), a, b, 1, 0.0)
-    turn = _turn_between(a, b, intrinsic[0])
-    if abs(turn) >= MIN_TURN:
-        frames.append(turn)
+def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
+    pins = pins[np.argsort(pins[:, 0])]
+    layout = _layout(a, b, pins)
+    first, second = stations(a, layout.a), stations(b, layout.b)
+    intrinsic = intrinsic_cost(first, second)
+    even = np.zeros_like(intrinsic)
+    paths = cyclic_paths(intrinsic, even, layout.fixed, layout.starts)
+    turn = _turn_between(a, b, _distinct(paths, layout, 1, 0.0)[0])
+    near_pins = np.maximum(
+        _nearness(layout.a, pins[:, 0])[:, None], _nearness(layout.b, pins[:, 1])
+    )
+    # Rewards not earned count as costs, so that the costs of two frames have a ratio.
+    unrewarded = VERTEX_REWARD * len(a.vertices.index) / STATIONS
     ranked: list[tuple[float, Candidate]] = []
-    for angle in frames:
-        paths = cyclic_paths(upright_cost(sa.turned(angle), sb), EVERY)
+    for angle in [0.0] if abs(turn) < MIN_TURN else [0.0, turn]:
+        upright = upright_cost(first.turned(angle), second)
+        cost = near_pins * intrinsic + (1 - near_pins) * upright
+        reward = _vertex_rewards(a, b, layout, angle)
+        paths = cyclic_paths(cost, reward, layout.fixed, layout.starts)
         handicap = 1.0 if angle == 0 else 1 / FRAME_RATIO
-        ranked += [(c.cost * handicap, c) for c in _distinct(paths, a, b, PER_FRAME, angle)]
+        found = _distinct(paths, layout, PER_FRAME, angle)
+        ranked += [((c.cost + unrewarded) * handicap, c) for c in found]
     ranked.sort(key=lambda entry: entry[0])
     costs = [cost for cost, _ in ranked] + [np.inf]
     lead = costs[1] / costs[0] - 1
     confidence: Confidence = "sure" if lead > SURE else "likely" if lead > LIKELY else "unsure"
-    made = [_finished(a, b, candidate, cost) for cost, candidate in ranked]
+    made = [_finished(a, b, candidate, cost, pins) for cost, candidate in ranked]
     best = made[0]
     return Correspondence(
         u=best.u,
@@ -114,55 +165,99 @@ def _ordered_match(a: Prepared, b: Prepared) -> Correspondence:
     )
 
 
+def _layout(a: Prepared, b: Prepared, pins: Floats) -> Layout:
+    """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
+    fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), STATIONS)
+    starts = np.arange(0, 1 if len(pins) else STATIONS, EVERY)
+    places_a, stations_a = _onto_vertices(a, at_a, fixed)
+    places_b, stations_b = _onto_vertices(b, at_b, fixed)
+    return Layout(places_a, places_b, stations_a, stations_b, fixed, starts)
+
+
+def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:
+    """Stations at even steps between pins, as many on both: pinned ones, measures of all."""
+    if len(a) == 0:
+        even = np.arange(count) / count
+        return np.zeros(0, dtype=np.intp), even, even
+    ends_a, ends_b = np.append(a, a[0] + 1), np.append(b, b[0] + 1)
+    ends_b[1:] += np.cumsum(np.diff(ends_b) < 0)
+    ends_b[-1] = ends_b[0] + 1
+    share = (np.diff(ends_a) + np.diff(ends_b)) / 2
+    steps = np.maximum(np.round(share * count).astype(np.intp), 2)
+    knots = np.concatenate([[0], np.cumsum(steps)])
+    at = np.arange(knots[-1])
+    return knots[:-1], np.interp(at, knots, ends_a), np.interp(at, knots, ends_b)
+
+
+def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats, Index]:
+    """Places of stations, those nearest the salient vertices moved there, and which these are."""
+    places = prepared.places(at)
+    vertex = prepared.vertices.index / len(prepared.samples.points)
+    measure = prepared.measures(vertex)
+    gap = measure[:, None] - at
+    gap = gap - np.round(gap)
+    nearest = np.abs(gap).argmin(axis=1)
+    free = ~np.isin(nearest, fixed)
+    moved = prepared.places(at[nearest] + gap[np.arange(len(vertex)), nearest])
+    places[nearest[free]] = moved[free]
+    return places, nearest
+
+
+def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> Floats:
+    """What a path earns in each cell by matching salient vertices, (n, n)."""
+    count = len(a.samples.points)
+    first, second = (stations(p, p.vertices.index / count) for p in (a, b))
+    weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
+    alike = a.vertices.convex[:, None] == b.vertices.convex
+    reward = np.zeros((len(layout.a), len(layout.b)))
+    earned = VERTEX_REWARD * weight * alike * likeness_of_vertices(first.turned(angle), second)
+    np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
+    return reward
+
+
+def _nearness(places: Floats, pins: Floats) -> Floats:
+    """How much each place is under the sway of a pin, from 0 to 1."""
+    if len(pins) == 0:
+        return np.zeros(len(places))
+    gap = places[:, None] - pins
+    away = np.abs(gap - np.round(gap)).min(axis=1)
+    return np.asarray(np.maximum(1 - away / PIN_REACH, 0.0))
+
+
 def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
     """Angle of the rotation that takes the first's matched points nearest the second's."""
-    za, zb = (
-        stations(p, knots).points @ [1, 1j] for p, knots in ((a, candidate.a), (b, candidate.b))
-    )
+    za, zb = (stations(p, k).points @ [1, 1j] for p, k in ((a, candidate.a), (b, candidate.b)))
     return float(np.angle((zb * za.conj()).sum()))
 
 
-def _distinct(paths: Paths, a: Prepared, b: Prepared, count: int, turn: float) -> list[Candidate]:
+def _distinct(paths: Paths, layout: Layout, count: int, turn: float) -> list[Candidate]:
     """The cheapest paths that are different matchings, at most `count`."""
     kept: list[Candidate] = []
-    reached: list[Floats] = []
-    grid = np.arange(STATIONS) / STATIONS
+    around_a = np.append(layout.a, layout.a[0] + 1)
+    around_b = np.concatenate([layout.b, layout.b + 1, layout.b[:1] + 2])
     for which in np.argsort(paths.costs, kind="stable"):
         if not np.isfinite(paths.costs[which]):
             break
         rows, columns = paths.trace(int(which))
         candidate = Candidate(
-            a=rows / STATIONS,
-            b=(columns + paths.starts[which]) / STATIONS,
+            a=around_a[rows],
+            b=around_b[columns + paths.starts[which]],
             cost=float(paths.costs[which]),
             turn=turn,
         )
-        v = np.interp(grid, a.places(candidate.a), b.places(candidate.b))
-        if all(np.abs((v - w + 0.5) % 1 - 0.5).mean() > DISTINCT for w in reached):
-            reached.append(v)
+        if all(_apart(candidate, other) > DISTINCT for other in kept):
             kept.append(candidate)
             if len(kept) == count:
                 break
     return kept
 
 
-def _refined(a: Prepared, b: Prepared, candidate: Candidate) -> Candidate:
-    """The matching found again with more stations, near where it was.
-
-    The first pass keeps the candidate's first knot; the second is cut open half-way round, so that
-    this knot moves as well.
-    """
-    fine = np.arange(FINE_STATIONS + 1) / FINE_STATIONS
-    knots_a, knots_b = candidate.a, candidate.b
-    for cut in (0.0, 0.5):
-        start_a = knots_a[0] + cut
-        start_b = float(_follow(knots_a, knots_b, np.array([start_a]))[0])
-        at_a, at_b = start_a + fine, start_b + fine
-        cost = upright_cost(stations(a, at_a).turned(candidate.turn), stations(b, at_b))
-        away = _follow(knots_a, knots_b, at_a)[:, None] - at_b
-        rows, columns = open_path(np.where(np.abs(away) <= BAND, cost, np.inf))
-        knots_a, knots_b = at_a[rows], at_b[columns]
-    return Candidate(knots_a, knots_b, candidate.cost, candidate.turn)
+def _apart(first: Candidate, second: Candidate) -> float:
+    """Mean distance of two matchings, as a share of the second outline's length."""
+    gap = first.b - _follow(second.a, second.b, first.a)
+    steps = np.diff(first.a)
+    away = np.abs(gap - np.round(gap))
+    return float((steps * (away[1:] + away[:-1]) / 2).sum())
 
 
 def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
@@ -171,8 +266,9 @@ def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
     return np.asarray(np.interp(at - whole, knots, values) + whole)
 
 
-def _finished(a: Prepared, b: Prepared, candidate: Candidate, cost: float) -> Correspondence:
-    fine = _refined(a, b, candidate)
-    u, v = a.samples.start + a.places(fine.a), b.samples.start + b.places(fine.b)
+def _finished(
+    a: Prepared, b: Prepared, candidate: Candidate, cost: float, pins: Floats
+) -> Correspondence:
+    u, v = a.samples.start + candidate.a, b.samples.start + candidate.b
     u[-1], v[-1] = u[0] + 1, v[0] + 1
     return Correspondence(u, v, cost, np.inf, "unsure", candidate.turn)
