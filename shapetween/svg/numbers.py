@@ -128,10 +128,7 @@ def path_data(
             "expected a lower precision"
         )
     table = _characters(np.rint(values * 10.0**decimals).astype(np.int64), decimals, letters, ends)
-    present = table != 0
-    text = table[present].tobytes().decode("ascii")
-    stops = np.cumsum(present.sum(axis=(1, 2))).tolist()
-    return tuple(text[a:b] for a, b in zip([0, *stops], stops, strict=False))
+    return tuple(frame.tobytes().translate(None, b"\0").decode("ascii") for frame in table)
 
 
 def _layout(
