@@ -116,7 +116,14 @@ def _colour(token: Any) -> Colour | str | None:
         if colour is None or colour == CURRENT:
             return colour or "invalid"
         return _srgb(colour)
-    except (NotImplementedError, ValueError, TypeError, IndexError, AttributeError):
+    except (
+        ArithmeticError,
+        AttributeError,
+        LookupError,
+        NotImplementedError,
+        TypeError,
+        ValueError,
+    ):
         return "invalid"  # tinycss2 trips over some malformed colour functions
 
 

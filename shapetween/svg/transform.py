@@ -7,7 +7,7 @@ product, so that equal points stay equal to the last bit: curves that met still 
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from math import cos, radians, sin, sqrt, tan
+from math import cos, isfinite, radians, sin, sqrt, tan
 
 import numpy as np
 
@@ -15,7 +15,8 @@ from shapetween.arrays import Affine, Points
 
 __all__ = ["IDENTITY", "affine", "apply", "compose", "mean_scale", "parse_transform", "stretch"]
 
-NUMBER = r"[+-]?(?>\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+#: A number as SVG and CSS write it. Atomic: what follows never makes it end earlier.
+NUMBER = r"(?>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
 ANGLE_UNITS = {"": 1.0, "deg": 1.0, "grad": 0.9, "turn": 360.0, "rad": 180 / np.pi}
 
 _FUNCTION = re.compile(r"\s*,?\s*([A-Za-z]+)\s*\(([^()]*)\)", re.ASCII)
@@ -119,6 +120,8 @@ def _function(name: str, text: str) -> Affine | None:
             return None
         position = found.end()
         values.append(float(found[1]) * ANGLE_UNITS.get(found[2] or "", 1.0))
+    if not all(map(isfinite, values)):
+        return None
     if text[position:].strip() or not least <= len(values) <= most:
         return None
     if name == "rotate" and len(values) == 2:

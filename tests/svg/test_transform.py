@@ -46,6 +46,8 @@ def test_functions(text: str, expected: tuple[float, ...]) -> None:
         "scale(2",
         "2",
         "scale(1e999)",
+        "rotate(1e999)",
+        "translate(1e10)translate(3e9e)",
         "scale(x)",
     ],
 )
