@@ -1,15 +1,23 @@
 """Methods that move a mesh pair, behind one interface."""
 
+import difflib
 from collections.abc import Callable
 
 from shapetween.errors import OptionError
-from shapetween.interpolate.projective import Projective
+from shapetween.interpolate.arap import AlexaArap, Arap
 from shapetween.interpolate.base import Tween
+from shapetween.interpolate.linear import Linear
+from shapetween.interpolate.projective import Projective
 from shapetween.mesh import MeshPair
 
 __all__ = ["METHODS", "Tween", "tween"]
 
-METHODS: dict[str, Callable[[MeshPair], Tween]] = {"projective": Projective}
+METHODS: dict[str, Callable[[MeshPair], Tween]] = {
+    "projective": Projective,
+    "arap": Arap,
+    "arap-2000": AlexaArap,
+    "linear": Linear,
+}
 """Every method by the name that users choose it by."""
 
 
@@ -20,9 +28,11 @@ def tween(pair: MeshPair, method: str = "projective") -> Tween:
     ------
     OptionError
         If there is no such method.
-    DegenerateQuadError
-        If a quad has no projective in-between.
+    MeshError
+        If a face has no in-between by this method.
     """
     if method not in METHODS:
-        raise OptionError(f"method: {method!r} is none of {', '.join(METHODS)}")
+        near = difflib.get_close_matches(method, METHODS, n=1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise OptionError(f"method: {method!r} is none of {', '.join(METHODS)}{hint}")
     return METHODS[method](pair)

@@ -10,34 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from shapetween.align import Alignment
-from shapetween.arrays import Floats, Index, Points, times
+from shapetween.arrays import Floats, Points, times
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
+from shapetween.interpolate.faces import check_triangles, shared_edges
 from shapetween.interpolate.quads import QuadMotion
 from shapetween.mesh import MeshPair
 
-__all__ = ["Projective", "shared_edges"]
-
-
-def shared_edges(faces: list[Index]) -> Index:
-    """Pairs of faces that share an edge, (E, 2).
-
-    Parameters
-    ----------
-    faces : list of (N_k, corners_k) intp
-        Faces are counted through all arrays.
-    """
-    edges, owner, first = [], [], 0
-    for group in faces:
-        edges.append(np.stack([group, np.roll(group, -1, axis=1)], axis=-1).reshape(-1, 2))
-        owner.append(np.repeat(np.arange(first, first + len(group)), group.shape[1]))
-        first += len(group)
-    ends = np.sort(np.concatenate(edges), axis=1)
-    faces_of = np.concatenate(owner)
-    order = np.lexsort((faces_of, ends[:, 1], ends[:, 0]))
-    same = np.flatnonzero((ends[order[1:]] == ends[order[:-1]]).all(axis=1))
-    return np.stack([faces_of[order[same]], faces_of[order[same + 1]]], axis=1)
+__all__ = ["Projective"]
 
 
 class Projective:
@@ -55,6 +36,8 @@ class Projective:
     ------
     DegenerateQuadError
         If a quad has no projective in-between.
+    MeshError
+        If a triangle has no area at one end, or is turned over.
 
     Notes
     -----
@@ -63,6 +46,7 @@ class Projective:
     """
 
     def __init__(self, pair: MeshPair, scale: float | None = None) -> None:
+        check_triangles(pair)
         self.pair = pair
         quads, triangles = pair.quads, pair.triangles
         faces = [f for f in (quads, triangles) if len(f)]

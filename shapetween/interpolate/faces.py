@@ -1,0 +1,100 @@
+"""Faces of a mesh: which of them meet, quads as pairs of triangles, and faces that cannot move."""
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index
+from shapetween.errors import DegenerateQuadError, MeshError
+from shapetween.geometry.polygon import corner_sines
+from shapetween.mesh import MeshPair
+
+__all__ = ["check_triangles", "shared_edges", "split_quads"]
+
+#: Least sine of a triangle's corner. Larger refuses thin but sound triangles; smaller lets the
+#: rotation that is read off the matrix be rounding error.
+MIN_CORNER_SINE = 1e-9
+
+
+def shared_edges(faces: list[Index]) -> Index:
+    """Pairs of faces that share an edge, (E, 2).
+
+    Parameters
+    ----------
+    faces : list of (N_k, corners_k) intp
+        Faces are counted through all arrays.
+    """
+    edges, owner, first = [], [], 0
+    for group in faces:
+        edges.append(np.stack([group, np.roll(group, -1, axis=1)], axis=-1).reshape(-1, 2))
+        owner.append(np.repeat(np.arange(first, first + len(group)), group.shape[1]))
+        first += len(group)
+    ends = np.sort(np.concatenate(edges), axis=1)
+    faces_of = np.concatenate(owner)
+    order = np.lexsort((faces_of, ends[:, 1], ends[:, 0]))
+    same = np.flatnonzero((ends[order[1:]] == ends[order[:-1]]).all(axis=1))
+    return np.stack([faces_of[order[same]], faces_of[order[same + 1]]], axis=1)
+
+
+def _least_sines(pair: MeshPair, triangles: Index) -> Floats:
+    """Least corner sine of triangles (..., 3) over both ends, (...,); negative if turned over.
+
+    Meshes that run anticlockwise at both ends are as good as clockwise ones.
+    """
+    sines = np.stack([corner_sines(pair.source[triangles]), corner_sines(pair.target[triangles])])
+    turning = np.sign(sines[0].sum(axis=-1, keepdims=True))
+    return np.asarray((sines * turning).min(axis=(0, -1)))
+
+
+def check_triangles(pair: MeshPair) -> None:
+    """Refuse triangles that no linear map of positive determinant takes to their target.
+
+    Raises
+    ------
+    MeshError
+        If a triangle of the pair has no area at one end, or is turned over between them.
+    """
+    bad = np.flatnonzero(_least_sines(pair, pair.triangles) < MIN_CORNER_SINE)
+    if bad.size:
+        raise MeshError(
+            f"triangle {bad[0]}: without area at one end, or turned over between the two; "
+            "move its corners"
+        )
+
+
+def split_quads(pair: MeshPair) -> Index:
+    """Triangles of a mesh: every quad cut by its better diagonal, then the pair's own.
+
+    Returns
+    -------
+    (2 Q + T, 3) intp
+        Triangles 2 k and 2 k + 1 are those of quad k.
+
+    Raises
+    ------
+    DegenerateQuadError
+        If neither diagonal of a quad gives triangles that are sound at both ends.
+    MeshError
+        If a triangle of the pair is not sound.
+
+    Notes
+    -----
+    Better is the diagonal whose triangles have the larger least corner sine over both ends, so
+    that the same one is chosen in both directions of time.
+    """
+    check_triangles(pair)
+    first = pair.quads[:, [[0, 1, 2], [0, 2, 3]]]
+    second = pair.quads[:, [[1, 2, 3], [1, 3, 0]]]
+    choices = np.stack([first, second])  # (2, Q, 2, 3)
+    least = _least_sines(pair, choices).min(axis=-1)
+    # One quad's two triangles must also turn the same way, or a folded quad passes for sound.
+    sides = np.stack(
+        [corner_sines(points[choices]).sum(axis=-1) for points in (pair.source, pair.target)]
+    )
+    least = np.where((np.sign(sides) == np.sign(sides[..., :1])).all(axis=(0, -1)), least, -1.0)
+    better = least.argmax(axis=0)
+    bad = np.flatnonzero(least.max(axis=0, initial=-1.0) < MIN_CORNER_SINE)
+    if bad.size:
+        raise DegenerateQuadError(
+            bad, "no diagonal splits it into triangles that are sound at both ends"
+        )
+    chosen = choices[better, np.arange(len(better))].reshape(-1, 3)
+    return np.concatenate([chosen, pair.triangles])
