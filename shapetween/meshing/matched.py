@@ -11,9 +11,10 @@ from shapetween.mesh import MeshPair
 from shapetween.meshing.candidates import candidate_nodes, far_sample, simplified
 from shapetween.meshing.contour import Contours, left_out
 from shapetween.meshing.dissection import Dissection
+from shapetween.meshing.prices import QUAD_PRICE
 from shapetween.meshing.quality import face_figures
 from shapetween.meshing.repair import Faces, repaired, simple_nodes
-from shapetween.meshing.search import LEVELS, QUAD_PRICE, Search
+from shapetween.meshing.search import LEVELS, Links, Search
 from shapetween.meshing.slide import slid
 
 __all__ = ["MatchedMesh", "mesh_matched"]
@@ -163,8 +164,9 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
         kept = None if draft is None else draft.nodes
         wanted = count if quads is None else max(count, CANDIDATES_A_QUAD * quads)
         candidates = candidate_nodes(contours.points, corners, wanted, kept)
+        links = Links.between(contours, candidates)
         for level in LEVELS:
-            search = Search.over(contours, candidates, level)
+            search = Search.over(links, level)
             found = search.cheapest(QUAD_PRICE)
             if np.isfinite(found.cost):
                 break

@@ -4,8 +4,8 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index
 from shapetween.meshing.contour import Contours, arc_waste
+from shapetween.meshing.prices import quad_prices, side_prices, triangle_prices
 from shapetween.meshing.quality import face_figures
-from shapetween.meshing.search import quad_prices, side_prices, triangle_prices
 
 __all__ = ["slid"]
 
