@@ -93,5 +93,5 @@ def _push(mesh: PlaneMesh, t: Floats, vertices: Points, sweeps: int) -> Points:
         result[active] += move
         # A triangle that nothing has touched yet is as sound as it was.
         moved |= move.any(axis=(0, 2))
-        near = moved[triangles].any(axis=1)
+        near = np.asarray(moved[triangles].any(axis=1))
     return result

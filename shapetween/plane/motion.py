@@ -123,7 +123,12 @@ class PlaneMotion:
             mesh.inside,
             ~mesh.turned,
         )
-        weights = np.where(mesh.inside, 1.0, stiffness.outside) * ~mesh.turned
+        # A large triangle far outside counts no more than a usual one inside, or the emptiness
+        # about a thin shape would hold it.
+        sizes = np.sqrt(areas_a * areas_b)
+        usual = sizes[mesh.inside].mean()
+        outer = stiffness.outside * np.minimum(1, usual / sizes)
+        weights = np.where(mesh.inside, 1.0, outer) * ~mesh.turned
         weights_a, weights_b = weights * areas_a, weights * areas_b
         pull_a = weights_a[:, None, None] * hats_a
         pull_b = weights_b[:, None, None] * hats_b

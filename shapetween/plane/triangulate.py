@@ -58,7 +58,7 @@ def constrained_delaunay(points: Points, edges: Index) -> Index:
     fixed = {(min(edge), max(edge)) for edge in wanted}
     for edge in wanted:
         if edge not in halves.apex and edge[::-1] not in halves.apex:
-            halves.make_delaunay(halves.insert(edge), fixed)
+            halves.make_delaunay(halves.insert(edge, fixed), fixed)
     return halves.triangles()
 
 
@@ -182,15 +182,17 @@ class _Halves:
         self._add(d, b, c)
         return (min(c, d), max(c, d))
 
-    def insert(self, edge: Edge) -> list[Edge]:
-        """Flip edges until `edge` is there; returns the new edges."""
+    def insert(self, edge: Edge, fixed: set[Edge]) -> list[Edge]:
+        """Flip edges, but no fixed one, until `edge` is there; returns the new edges."""
         crossing = deque(h for h in self.apex if h[0] < h[1] and self.crosses(edge, h))
+        if not fixed.isdisjoint(crossing):
+            raise MeshError("the edges of an outline cross each other")
         new: list[Edge] = []
         left = 4 * len(crossing) ** 2 + 16
         while crossing:
             left -= 1
             if left < 0:
-                raise MeshError("the edges of an outline cross each other")
+                raise MeshError("an outline all but touches itself; its edges cannot be told apart")
             old = crossing.popleft()
             flipped = self.flip(old)
             if flipped is None:

@@ -30,6 +30,9 @@ __all__ = ["Untangler"]
 #: Least share by which eps falls at a step. Smaller is slower and untangles no more meshes;
 #: larger and the steps lose the path.
 EPS_DECREASE = 0.5
+#: Ratio of energies after and before a step above which eps may fall. Smaller loses the path of a
+#: far start; larger waits for nothing.
+SETTLED = 0.8
 #: First eps, as a share of the worst determinant.
 FIRST_EPS = 0.2
 #: eps once no triangle is turned over, and where a hopeless search ends.
@@ -133,7 +136,8 @@ class Untangler:
                 continue
             waited = 0 if turned < best[0] else waited + 1
             best = min(best, (turned, points), key=lambda pair: pair[0])
-            eps = min(eps, _next_eps(eps, worst, max(EPS_DECREASE, 1 - after / before)))
+            if after > SETTLED * before:
+                eps = min(eps, _next_eps(eps, worst, EPS_DECREASE))
             if waited >= PATIENCE or eps < LAST_EPS:
                 break
         return best[1], best[0]

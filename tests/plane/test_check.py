@@ -1,0 +1,18 @@
+import numpy as np
+
+from shapetween.plane.check import simple_frames
+from tests.plane.shapes import two_discs
+
+SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+
+
+def test_frames_that_cross_or_touch_are_found() -> None:
+    bow = SQUARE[[0, 2, 1, 3]]
+    touching = np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.0], [0.5, 1.0]])
+    assert simple_frames(np.stack([SQUARE, bow, touching])).tolist() == [True, False, False]
+
+
+def test_rings_must_not_cross_each_other() -> None:
+    nodes, _ = two_discs(0.0)
+    near = nodes + np.repeat([[0.0, 0.0], [1.9, 0.0]], 12, axis=0)
+    assert simple_frames(np.stack([nodes, near]), (12, 12)).tolist() == [True, False]
