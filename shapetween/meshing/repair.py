@@ -12,6 +12,7 @@ from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.errors import OutlineError
 from shapetween.geometry.polygon import polygon_area
 from shapetween.meshing.dissection import completed_quads, dissect, linked_faces
+from shapetween.meshing.inner import joined_triangles, smoothed
 from shapetween.meshing.overlay import overlay
 from shapetween.meshing.quality import MIN_CORNER_SINE, face_figures
 from shapetween.meshing.simple import inner_diagonals, touching_sides
@@ -107,7 +108,12 @@ def repaired(rings: Points, chords: Index) -> Faces:
         if piece is not None:
             pieces.remove(piece)
             pieces += _halves(piece, *sorted((piece.index(a), piece.index(b))))
-    return _joined(rings, pieces)
+    mesh = _joined(rings, pieces)
+    points = mesh.points
+    if points.shape[1] > rings.shape[1]:
+        points = smoothed(points, rings.shape[1], [mesh.quads, mesh.triangles])
+    quads, triangles = joined_triangles(points, mesh.triangles)
+    return Faces(points, np.concatenate([mesh.quads, quads]), triangles)
 
 
 def _halves(piece: list[int], i: int, j: int) -> list[list[int]]:
