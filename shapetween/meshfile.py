@@ -6,15 +6,14 @@ each with the ``id`` of the shape it belongs to.
 """
 
 import json
-import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from shapetween.arrays import Index, Points
 from shapetween.errors import MeshError, ShapetweenError
 from shapetween.geometry.polygon import corner_sines, polygon_area
+from shapetween.jsonfile import check_keys, parse, real, rows
 from shapetween.mesh import MeshPair
 
 __all__ = ["check_mesh", "dump_meshes", "load_meshes"]
@@ -65,19 +64,12 @@ def load_meshes(text: str, name: str) -> list[tuple[str, MeshPair]]:
     MeshError
         If anything is not as it should be; the message names the place in the file.
     """
-    try:
-        data = json.loads(text, parse_constant=_refuse_constant, object_pairs_hook=_unique_keys)
-    except json.JSONDecodeError as error:
-        where = f"line {error.lineno}, column {error.colno}"
-        raise MeshError(f"{name}: {where}: not JSON: {error.msg}") from error
-    except (MeshError, RecursionError, ValueError) as error:
-        reason = "nested too deeply" if isinstance(error, RecursionError) else str(error)
-        raise MeshError(f"{name}: {reason}") from error
+    data = parse(text, name)
     if not isinstance(data, dict):
         raise MeshError(f"{name}: expected an object with source, target and quads, or meshes")
     if "meshes" not in data:
         return [_mesh(data, name, "")]
-    _check_keys(data, {"meshes"}, f"{name}: ")
+    check_keys(data, {"meshes"}, f"{name}: ")
     items = data["meshes"]
     if not isinstance(items, list) or not items:
         raise MeshError(f"{name}: meshes: expected a list of at least one mesh")
@@ -89,30 +81,12 @@ def load_meshes(text: str, name: str) -> list[tuple[str, MeshPair]]:
     return meshes
 
 
-def _refuse_constant(constant: str) -> float:
-    raise MeshError(f"{constant} is not a number that a mesh may hold")
-
-
-def _unique_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    keys = [key for key, _ in pairs]
-    for k, key in enumerate(keys):
-        if key in keys[:k]:
-            raise MeshError(f"key {key!r} stands twice in one object")
-    return dict(pairs)
-
-
-def _check_keys(data: dict[str, Any], allowed: set[str], place: str) -> None:
-    unknown = sorted(set(data) - allowed)
-    if unknown:
-        raise MeshError(f"{place}unknown key {unknown[0]!r}; expected {', '.join(sorted(allowed))}")
-
-
 def _mesh(data: object, name: str, path: str) -> tuple[str, MeshPair]:
     """One mesh; `path` is its place in the file, empty for the whole of it."""
     place = f"{name}: {path}: " if path else f"{name}: "
     if not isinstance(data, dict):
         raise MeshError(f"{place}expected an object with source, target and quads")
-    _check_keys(data, {"id", *_POINTS, *_FACES}, place)
+    check_keys(data, {"id", *_POINTS, *_FACES}, place)
     inner = f"{name}: {path}." if path else f"{name}: "
     mesh_id = data.get("id", "")
     if not isinstance(mesh_id, str):
@@ -120,39 +94,14 @@ def _mesh(data: object, name: str, path: str) -> tuple[str, MeshPair]:
     for key in _POINTS:
         if key not in data:
             raise MeshError(f"{place}has no {key}; expected a list of [x, y]")
-    points = {key: _rows(data[key], inner + key, width, _real) for key, width in _POINTS.items()}
+    points = {key: rows(data[key], inner + key, width, real) for key, width in _POINTS.items()}
     faces = {
-        key: _rows(data.get(key, []), inner + key, width, _index) for key, width in _FACES.items()
+        key: rows(data.get(key, []), inner + key, width, _index) for key, width in _FACES.items()
     }
     try:
         return mesh_id, MeshPair(**points, **faces)
     except ShapetweenError as error:
         raise MeshError(f"{place}{error}") from error
-
-
-def _rows(value: object, place: str, width: int, item: Any) -> Any:
-    """A list of rows of `width` items, each read by `item`, as an array."""
-    what = "[x, y]" if width == 2 else f"{width} vertex numbers"
-    if not isinstance(value, list):
-        raise MeshError(f"{place}: expected a list of {what}")
-    rows = []
-    for k, row in enumerate(value):
-        if not isinstance(row, list) or len(row) != width:
-            raise MeshError(f"{place}[{k}]: expected {what}")
-        rows.append([item(entry, f"{place}[{k}][{n}]") for n, entry in enumerate(row)])
-    return np.array(rows).reshape(-1, width)
-
-
-def _real(value: object, place: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise MeshError(f"{place}: expected a number")
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise MeshError(f"{place}: the number is too large")
-    return number
 
 
 def _index(value: object, place: str) -> int:
