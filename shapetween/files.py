@@ -12,13 +12,22 @@ from pathlib import Path
 
 from shapetween.errors import BudgetError, InputError, OptionError
 
-__all__ = ["MAX_BYTES", "check_outputs", "read_bytes", "read_text", "write_frames", "write_text"]
+__all__ = [
+    "MAX_BYTES",
+    "check_outputs",
+    "fresh_file",
+    "fresh_frames",
+    "read_bytes",
+    "read_text",
+    "write_frames",
+    "write_text",
+]
 
 #: Largest file that is read. Drawings of a few megabytes are rare; a larger limit lets a wrong
 #: file fill the memory.
 MAX_BYTES = 64 * 1024 * 1024
 
-_FRAME = re.compile(r"frame_\d{4,}\.svg")
+_FRAME = re.compile(r"frame_\d{4,}")
 
 
 def read_bytes(path: Path, limit: int = MAX_BYTES) -> bytes:
@@ -88,6 +97,19 @@ def _check_parent(path: Path) -> None:
 def write_text(path: Path, text: str) -> None:
     """Write a text file in UTF-8, replacing the one that was there.
 
+    Raises
+    ------
+    OptionError
+        If the file cannot be written; the old one is then still whole.
+    """
+    with fresh_file(path) as fresh:
+        fresh.write_text(text, "utf-8", newline="\n")
+
+
+@contextmanager
+def fresh_file(path: Path) -> Iterator[Path]:
+    """A file to write to, which takes the place of `path` once the context is left in peace.
+
     A symbolic link stays one, and the file it leads to is replaced. A device is written to.
 
     Raises
@@ -100,11 +122,11 @@ def write_text(path: Path, text: str) -> None:
         if place.is_dir():
             raise OptionError(f"{path}: is a folder; expected the name of a file")
         if place.exists() and not place.is_file():
-            place.write_text(text, "utf-8", newline="\n")
+            yield place
             return
         with _beside(place) as folder:
             fresh = folder / place.name
-            fresh.write_text(text, "utf-8", newline="\n")
+            yield fresh
             if place.exists():
                 fresh.chmod(place.stat().st_mode & 0o777)
             fresh.replace(place)
@@ -112,8 +134,6 @@ def write_text(path: Path, text: str) -> None:
 
 def write_frames(folder: Path, frames: Iterable[str]) -> int:
     """Write ``frame_0000.svg`` and so on into a folder, which is made if it is not there.
-
-    Frames of an earlier run are replaced or removed; other files in the folder stay.
 
     Parameters
     ----------
@@ -131,6 +151,26 @@ def write_frames(folder: Path, frames: Iterable[str]) -> int:
     OptionError
         If they cannot be written; the folder is then as it was before.
     """
+    count = 0
+    with fresh_frames(folder, ".svg") as fresh:
+        for count, text in enumerate(frames, start=1):
+            name = f"frame_{count - 1:04}.svg"
+            (fresh / name).write_text(text, "utf-8", newline="\n")
+    return count
+
+
+@contextmanager
+def fresh_frames(folder: Path, suffix: str) -> Iterator[Path]:
+    """A place for frames, which go into `folder` once the context is left in peace.
+
+    The folder is made if it is not there. In it, frames of an earlier run with the same ending
+    are replaced or removed; other files stay.
+
+    Raises
+    ------
+    OptionError
+        If they cannot be written; the folder is then as it was before.
+    """
     with _reported(folder):
         place = folder.resolve()
         if place.exists() and not place.is_dir():
@@ -138,22 +178,20 @@ def write_frames(folder: Path, frames: Iterable[str]) -> int:
         with _beside(place) as scratch:
             fresh, old = scratch / "fresh", scratch / "old"
             fresh.mkdir()
-            count = 0
-            for count, text in enumerate(frames, start=1):
-                name = f"frame_{count - 1:04}.svg"
-                (fresh / name).write_text(text, "utf-8", newline="\n")
+            yield fresh
             if place.exists():
                 old.mkdir()
-                _exchange(fresh, place, old)
+                _exchange(fresh, place, old, suffix)
             else:
                 fresh.rename(place)
-    return count
 
 
-def _exchange(fresh: Path, place: Path, old: Path) -> None:
+def _exchange(fresh: Path, place: Path, old: Path, suffix: str) -> None:
     """Move frames out of `place` into `old`, and those in `fresh` into it; or nothing at all."""
     moved: list[tuple[Path, Path]] = []
-    stale = [path for path in place.iterdir() if _FRAME.fullmatch(path.name)]
+    stale = [
+        path for path in place.iterdir() if path.suffix == suffix and _FRAME.fullmatch(path.stem)
+    ]
     steps = [(path, old / path.name) for path in stale]
     steps += [(path, place / path.name) for path in sorted(fresh.iterdir())]
     try:
