@@ -10,12 +10,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from shapetween.api import Morph, morph
     from shapetween.drawing import Drawing
     from shapetween.errors import ShapetweenError
     from shapetween.interpolate import tween
     from shapetween.interpolate.quads import interpolate_quads
     from shapetween.mesh import MeshPair
-    from shapetween.api import Morph, morph
 
 __all__ = [
     "Drawing",

@@ -15,8 +15,7 @@ from shapetween.fit import Fit, inverted, mapped
 from shapetween.frames import even_times
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
-from shapetween.pipeline import Options, Prepared, prepare
-from shapetween.ring import Folds
+from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.svg.diagram import MeshView
 from shapetween.svg.read import read_svg
 
@@ -93,29 +92,32 @@ class Morph:
         """The meshes as the text of a file that can be edited and given back."""
         from shapetween.meshfile import dump_meshes
 
-        return dump_meshes(self.meshes)
+        return dump_meshes([(view.name, view.pair) for view in self._checked_views()])
 
     def mesh_svg(self, names: tuple[str, str] = ("A", "B")) -> str:
         """A picture of both shapes with numbered quads and the nodes that belong together."""
         from shapetween.svg.diagram import mesh_svg
 
-        return mesh_svg(self._views(), names)
+        return mesh_svg(self._checked_views(), names)
+
+    def _checked_views(self) -> list[MeshView]:
+        views = self._views()
+        if not views:
+            raise OptionError("there is no mesh: no filled shape has a partner that is filled")
+        return views
 
     def _views(self) -> list[MeshView]:
         back = inverted(self.prepared.fit)
         views = []
-        for shape in self.prepared.shapes:
-            ring = shape.ring.mesh
-            pair = MeshPair(
-                ring.pair.source,
-                mapped(ring.pair.target, back),
-                ring.pair.quads,
-                ring.pair.triangles,
-            )
-            nodes = np.arange(len(ring.kept))
-            views.append(
-                MeshView(shape.name, ring.source, ring.target.transformed(back), pair, nodes)
-            )
+        for part in self.prepared.filled:
+            for ring in (ring for body in part.bodies for ring in body.nodes.rings):
+                if ring.pair is None:
+                    continue
+                target = mapped(ring.pair.target, back)
+                pair = MeshPair(ring.pair.source, target, ring.pair.quads, ring.pair.triangles)
+                nodes = np.arange(len(ring.kept))
+                outline = ring.target.transformed(back)
+                views.append(MeshView(part.name, ring.source, outline, pair, nodes))
         return views
 
     def _repr_html_(self) -> str:

@@ -50,6 +50,15 @@ class Outline:
         points = np.concatenate([bezier.flatten(self.curves, 16), self.curves[-1:, 3]])
         return np.stack([points.min(axis=0), points.max(axis=0)])
 
+    def close(self) -> "Outline":
+        """The outline with a straight line back to its start, if it is open."""
+        if self.closed:
+            return self
+        start, end = self.curves[0, 0], self.curves[-1, 3]
+        if (start == end).all():
+            return Outline(self.curves)
+        return Outline(np.concatenate([self.curves, bezier.line_curves(end, start)[None]]))
+
     def reversed(self) -> "Outline":
         """The same curve run the other way, from the same start if it is closed."""
         return Outline(self.curves[::-1, ::-1], self.closed)

@@ -1,37 +1,29 @@
 """From two drawings to the movement between them, one stage after another."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Affine, Curves, Floats
-from shapetween.blend import blend
+from shapetween.arrays import Affine
 from shapetween.drawing import Drawing, Shape
-from shapetween.errors import OptionError, OutlineError
+from shapetween.errors import OptionError
+from shapetween.fill import FillSettings, morph_fill
 from shapetween.fit import Fit, fit_matrix, mapped
-from shapetween.geometry.bezier import flatten
+from shapetween.lines import morph_line
 from shapetween.mesh import MeshPair
-from shapetween.movement import Movement
+from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
 from shapetween.outline import Outline
-from shapetween.paint import Style
-from shapetween.ring import Folds, RingMorph, morph_ring
-from shapetween.tidy import tidy
+from shapetween.pairing import Pairing, Thing, pair_shapes, pair_things
+from shapetween.parts import FilledPart, LinePart, LonePart
+from shapetween.stroking import outlined
 
-if TYPE_CHECKING:
-    import shapely
+__all__ = ["Folds", "Options", "Prepared", "prepare"]
 
-__all__ = ["Options", "Prepared", "ShapeMorph", "prepare"]
-
-#: Chords of a curve when an outline is first checked for crossings, and when one was found: a
-#: coarse polygon may touch itself in a slit where the curve does not.
-CHECK_CHORDS, RECHECK_CHORDS = 12, 96
-
-#: Share of its area by which an outline may overlap itself and still count as simple: editors
-#: round coordinates and leave closing lines that step back by the last digit.
-NEGLIGIBLE_FOLD = 1e-4
+Folds: TypeAlias = Literal["prevent", "allow"]
+"""Whether the plane around a shape moves along so that nothing folds, or the bare mesh moves."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +35,14 @@ class Options:
     method : str
         One of `shapetween.interpolate.METHODS`.
     quads : int or None
-        About how many quads a shape is split into; None for as few as it needs.
+        About how many quads; None for as few as a shape needs.
     pins : tuple of (ax, ay, bx, by)
         Points that belong together, each in its own drawing's user units.
+    matches : tuple of (str, str)
+        Names of shapes that become each other.
     meshes : mapping of str to MeshPair
         Meshes to use, by the name of the shape, vertices in each drawing's own user units; the
-        name "" serves any shape.
+        name "" serves the first filled shape.
     fit : {"view", "geometry", "none"}
         How the second drawing is brought into the first one's frame.
     folds : {"prevent", "allow"}
@@ -58,6 +52,7 @@ class Options:
     method: str = "projective"
     quads: int | None = None
     pins: tuple[tuple[float, float, float, float], ...] = ()
+    matches: tuple[tuple[str, str], ...] = ()
     meshes: Mapping[str, MeshPair] = field(default_factory=dict)
     fit: Fit = "view"
     folds: Folds = "prevent"
@@ -71,49 +66,26 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ShapeMorph:
-    """One shape through the whole movement; a `shapetween.movement.Part`."""
-
-    name: str
-    ring: RingMorph
-    styles: tuple[Style, Style]
-
-    @property
-    def rings(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return (self.ring.carried.carrier.count,)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """Which of the rings are closed."""
-        return (True,)
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        return self.ring.curves(t)
-
-    def style(self, t: float) -> Style:
-        """Paint at one time."""
-        return blend(*self.styles, t)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Prepared:
     """A movement and how it came about.
 
     Attributes
     ----------
     movement : Movement
-    shapes : tuple of ShapeMorph
+        Its parts are `FilledPart`, `LinePart` and `LonePart`.
     fit : (2, 3) float64
         From the second drawing's user units to the movement's.
     warnings : tuple of str
     """
 
     movement: Movement
-    shapes: tuple[ShapeMorph, ...]
     fit: Affine
     warnings: tuple[str, ...]
+
+    @property
+    def filled(self) -> tuple[FilledPart, ...]:
+        """The parts that have meshes."""
+        return tuple(part for part in self.movement.parts if isinstance(part, FilledPart))
 
 
 def prepare(
@@ -129,7 +101,6 @@ def prepare(
     Parameters
     ----------
     source, target : Drawing
-        Each with one filled closed outline.
     options : Options, optional
     names : tuple of str
         What messages call the drawings.
@@ -139,84 +110,132 @@ def prepare(
     Raises
     ------
     OutlineError
-        If a drawing has no outline or several, or one without area or crossing itself.
+        If a shape encloses nothing.
     OptionError, MeshError
-        If a pin or a mesh does not fit the outlines.
+        If a pin, a match or a mesh does not fit the drawings.
     """
     chosen = Options() if options is None else options
-    shape_a, shape_b = _only_shape(source, names[0]), _only_shape(target, names[1])
     with observe("fit"):
         matrix = fit_matrix(source, target, chosen.fit)
-        outline_a = _checked(shape_a.rings[0], names[0])
-        outline_b = _checked(shape_b.rings[0], names[1]).transformed(matrix)
+        shapes = _plain(source.shapes), _plain(target.transformed(matrix).shapes)
+        scale = float(np.hypot(source.box.width, source.box.height))
+        pairing = pair_shapes(*shapes, scale, _settled(*shapes, chosen.matches))
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)
     pins[:, 2:] = mapped(pins[:, 2:], matrix)
-    name = shape_a.name or shape_b.name
-    given = chosen.meshes.get(name, chosen.meshes.get(""))
-    if given is not None:
-        target_vertices = mapped(given.target, matrix)
-        given = MeshPair(given.source, target_vertices, given.quads, given.triangles)
-    ring = morph_ring(
-        outline_a,
-        outline_b,
-        method=chosen.method,
-        folds=chosen.folds,
-        quads=chosen.quads,
-        pins=pins,
-        mesh=given,
-        observe=observe,
-    )
-    shape = ShapeMorph(name, ring, (shape_a.style, shape_b.style))
-    title = " to ".join(t for t in (source.title, target.title) if t)
-    movement = Movement((shape,), source.box, title)
+    meshes = {name: _in_frame(mesh, matrix) for name, mesh in chosen.meshes.items()}
+    settings = FillSettings(chosen.method, chosen.folds, chosen.quads, pins, meshes, observe)
     warnings = [f"{names[0]}: {w}" for w in source.warnings]
     warnings += [f"{names[1]}: {w}" for w in target.warnings]
-    if ring.mesh.matching.confidence == "unsure":
-        warnings.append(
-            "the two outlines were matched with little certainty; look at the matching with "
-            "'shapetween mesh' and correct it with --pin"
-        )
-    return Prepared(movement, (shape,), matrix, tuple(warnings))
+    pairs: dict[int, Part] = {}
+    for i, j in pairing.pairs:
+        part, said = _morph_pair(shapes[0][i], shapes[1][j], settings, names)
+        pairs[i] = part
+        warnings += said
+    settings.check_used()
+    parts = _in_paint_order(shapes, pairing, pairs)
+    title = " to ".join(t for t in (source.title, target.title) if t)
+    return Prepared(Movement(parts, source.box, title), matrix, tuple(dict.fromkeys(warnings)))
 
 
-def _only_shape(drawing: Drawing, name: str) -> Shape:
-    """The drawing's one filled closed outline."""
-    filled = [s for s in drawing.shapes if s.style.fill is not None]
-    rings = sum(len(s.rings) for s in filled)
-    lines = len(drawing.shapes) - len(filled)
-    if rings == 1:
-        return filled[0]
-    found = [f"{rings} filled outlines" if rings else "no filled outline"]
-    if len(filled) > 1:
-        found[0] += f" in {len(filled)} shapes"
-    if lines:
-        found.append(f"{lines} drawn as lines only")
-    raise OutlineError(f"{name}: one filled outline is needed; found {' and '.join(found)}")
+def _in_frame(mesh: MeshPair, matrix: Affine) -> MeshPair:
+    return MeshPair(mesh.source, mapped(mesh.target, matrix), mesh.quads, mesh.triangles)
 
 
-def _checked(outline: Outline, name: str) -> Outline:
-    """The outline run clockwise, refused where it has no inside or crosses itself."""
-    import shapely
+def _plain(shapes: tuple[Shape, ...]) -> tuple[Shape, ...]:
+    """Shapes each either filled or stroked along open lines.
 
-    low, high = outline.box
-    size = float(np.max(high - low))
-    if abs(outline.area) <= 1e-9 * size * size:
-        raise OutlineError(f"{name}: the outline encloses no area")
-    for chords in (CHECK_CHORDS, RECHECK_CHORDS):
-        polygon = shapely.Polygon(flatten(outline.curves, chords))
-        if polygon.is_valid or _fold(polygon, outline.area) <= NEGLIGIBLE_FOLD:
-            return tidy(outline if outline.area > 0 else outline.reversed())
-    reason = shapely.is_valid_reason(polygon)
-    where = reason[reason.find("[") + 1 : reason.find("]")].split()
-    place = " near " + ", ".join(f"{float(x):.6g}" for x in where) if len(where) == 2 else ""
-    raise OutlineError(
-        f"{name}: the outline crosses or touches itself{place}; simplify it in an editor "
-        "(union of the path with itself)"
+    A filled ring is closed and a stroked one is as it was drawn; where the two differ the shape
+    becomes two.
+    """
+    plain = []
+    for shape in shapes:
+        open_rings = any(not ring.closed for ring in shape.rings)
+        if shape.style.fill is None or not open_rings:
+            plain.append(shape)
+            continue
+        closed = tuple(ring.close() for ring in shape.rings)
+        plain.append(Shape(closed, replace(shape.style, stroke=None), shape.name))
+        if shape.style.stroke is not None:
+            plain.append(Shape(shape.rings, replace(shape.style, fill=None), ""))
+    return tuple(plain)
+
+
+def _settled(
+    first: tuple[Shape, ...], second: tuple[Shape, ...], matches: tuple[tuple[str, str], ...]
+) -> list[tuple[int, int]]:
+    """Indices of the shapes that the user matched by name."""
+    settled = []
+    for pair in matches:
+        found = []
+        for name, side, which in zip(pair, (first, second), ("first", "second"), strict=True):
+            known = [k for k, shape in enumerate(side) if shape.name == name]
+            if not known:
+                named = sorted({shape.name for shape in side if shape.name})
+                have = f"; it has {', '.join(named[:8])}" if named else "; its shapes have no ids"
+                raise OptionError(f"match: the {which} drawing has no shape {name!r}{have}")
+            found.append(known[0])
+        settled.append((found[0], found[1]))
+    for k, which in enumerate(("first", "second")):
+        if len({pair[k] for pair in settled}) < len(settled):
+            raise OptionError(f"match: a shape of the {which} drawing is matched twice")
+    return settled
+
+
+def _morph_pair(
+    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str]
+) -> tuple[Part, tuple[str, ...]]:
+    lines = [shape.style.fill is None for shape in (first, second)]
+    if all(lines):
+        return _morph_lines(first, second), ()
+    # A line that becomes an area becomes its own outline first.
+    first, second = (
+        outlined(shape) if line else shape
+        for shape, line in zip((first, second), lines, strict=True)
+    )
+    return morph_fill(first, second, settings, names)
+
+
+def _morph_lines(first: Shape, second: Shape) -> LinePart:
+    """Lines to lines; where one side has more, its lines part from the nearest of the other's."""
+    things = [[_thing(ring) for ring in shape.rings] for shape in (first, second)]
+    scale = max(max(t.size for t in side) for side in things) or 1.0
+    pairing = pair_things(things[0], things[1], scale)
+    pairs = [
+        *pairing.pairs,
+        *((i, _nearest(things[0][i], things[1])) for i in pairing.first_only),
+        *((_nearest(things[1][j], things[0]), j) for j in pairing.second_only),
+    ]
+    lines = tuple(morph_line(first.rings[i], second.rings[j]) for i, j in pairs)
+    return LinePart(first.name or second.name, (first.style, second.style), lines)
+
+
+def _nearest(thing: Thing, others: list[Thing]) -> int:
+    return min(
+        range(len(others)), key=lambda k: float(np.linalg.norm(others[k].centre - thing.centre))
     )
 
 
-def _fold(polygon: "shapely.Polygon", signed_area: float) -> float:
-    """Area counted otherwise by crossings than by the even-odd rule, as a share."""
-    import shapely
+def _thing(ring: Outline) -> Thing:
+    low, high = ring.box
+    return Thing((low + high) / 2, float(np.linalg.norm(high - low)))
 
-    return abs(float(shapely.make_valid(polygon).area) / abs(signed_area) - 1)
+
+def _in_paint_order(
+    shapes: tuple[tuple[Shape, ...], tuple[Shape, ...]], pairing: Pairing, pairs: dict[int, Part]
+) -> tuple[Part, ...]:
+    """All parts, the last on top: the first drawing's order, newcomers above what they follow."""
+    parts = [
+        pairs[i] if i in pairs else LonePart(shape.name, shape.style, shape.rings, arrives=False)
+        for i, shape in enumerate(shapes[0])
+    ]
+    partner = {j: pairs[i] for i, j in pairing.pairs}
+    below: Part | None = None
+    for j, shape in enumerate(shapes[1]):
+        if j in partner:
+            below = partner[j]
+            continue
+        part = LonePart(shape.name, shape.style, shape.rings, arrives=True)
+        place = parts.index(below) + 1 if below is not None else 0
+        parts.insert(place, part)
+        below = part
+    return tuple(parts)

@@ -5,10 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from shapetween.body import Carried, RingMatch
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
-from shapetween.pipeline import Prepared, ShapeMorph
+from shapetween.pipeline import Prepared
 
 __all__ = ["build", "mesh_figures"]
 
@@ -28,25 +29,29 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
     return {
         "version": number,
         "method": method,
-        "rings": [_ring(shape) for shape in prepared.shapes],
-        "seconds": {},
+        "rings": [
+            _ring(part.name, body, ring)
+            for part in prepared.filled
+            for body in part.bodies
+            for ring in body.nodes.rings
+        ],
         "warnings": list(prepared.warnings),
     }
 
 
-def _ring(shape: ShapeMorph) -> dict[str, Any]:
-    mesh = shape.ring.mesh
-    matching = mesh.matching
+def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
+    matching = ring.matching
     return {
-        "name": shape.name,
-        **mesh_figures(mesh.pair),
-        "found": mesh.found,
-        "curves": shape.ring.carried.carrier.count,
-        "moved_by": shape.ring.carried.setting,
-        "led_by_quads": round(shape.ring.carried.led, 4),
+        "name": name,
+        "hole": ring.hole,
+        **(mesh_figures(ring.pair) if ring.pair is not None else {}),
+        "found": ring.found,
+        "moved_by": body.setting,
+        "led_by_quads": round(body.led, 4),
         "self_crossing": {
-            "times_checked": shape.ring.carried.checked,
-            "found": shape.ring.carried.crossing,
+            "times_checked": body.checked,
+            "found": body.crossing,
+            "repaired": body.mended,
         },
         "matching": {
             "cost": _number(matching.cost),

@@ -1,106 +1,48 @@
-"""One closed outline becoming another: matched, meshed, moved, and its curves carried along."""
-
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+"""Matching and meshing two rings, outers by themselves and holes along with their outers."""
 
 import numpy as np
 
 from shapetween.arclength import ArcLength
-from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.arrays import Points
+from shapetween.body import RingMatch
 from shapetween.correspond import correspond
-from shapetween.correspond.correspondence import Correspondence
 from shapetween.geometry.bezier import flatten
-from shapetween.matched import MatchedOutlines, Samples
+from shapetween.geometry.rotation import rotations
+from shapetween.matched import MatchedOutlines
 from shapetween.mesh import MeshPair
 from shapetween.meshfile import check_mesh
 from shapetween.meshing import mesh_matched
 from shapetween.observe import Observer
 from shapetween.outline import Outline
-from shapetween.unfold import Carried, bare, unfolded
 
-__all__ = ["Folds", "RingMesh", "RingMorph", "morph_ring"]
-
-Folds: TypeAlias = Literal["prevent", "allow"]
-"""Whether the plane around a shape moves along so that nothing folds, or the bare mesh moves."""
+__all__ = ["match_hole", "match_outer"]
 
 #: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
 #: for nodes and cost the square of it.
 SAMPLES = 512
 
+#: Samples of a hole, which has no mesh of its own.
+HOLE_SAMPLES = 256
+
 #: Chords a curve is checked with where a polygon will do.
 CHORDS = 16
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class RingMesh:
-    """Two matched outlines and the mesh over them.
-
-    Attributes
-    ----------
-    source, target : Outline
-        Both clockwise as drawn.
-    matching : Correspondence
-    outlines : MatchedOutlines
-    samples : Samples
-        Matched points of the outlines.
-    pair : MeshPair
-        The first vertices are the nodes on the outline, in order; others lie inside.
-    kept : (n,) intp
-        Which samples those nodes are, increasing.
-    found : str
-        How the mesh was found.
-    """
-
-    source: Outline
-    target: Outline
-    matching: Correspondence
-    outlines: MatchedOutlines
-    samples: Samples
-    pair: MeshPair
-    kept: Index
-    found: str
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RingMorph:
-    """An outline through the whole movement.
-
-    Attributes
-    ----------
-    mesh : RingMesh
-    carried : Carried
-        The outline's curves, on nodes that move.
-    """
-
-    mesh: RingMesh
-    carried: Carried
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, P, 4, 2)."""
-        return self.carried.curves(t)
-
-
-def morph_ring(
+def match_outer(
     source: Outline,
     target: Outline,
     *,
-    method: str,
-    folds: Folds,
     quads: int | None,
     pins: Points,
     mesh: MeshPair | None,
     observe: Observer,
-) -> RingMorph:
-    """Prepare one outline's movement.
+) -> RingMatch:
+    """Match and mesh two outer rings.
 
     Parameters
     ----------
     source, target : Outline
         Closed, simple, clockwise as drawn, in one frame.
-    method : str
-        One of `shapetween.interpolate.METHODS`.
-    folds : {"prevent", "allow"}
-        Whether the plane around the outline moves along, so that nothing folds.
     quads : int or None
         About how many quads; None for as few as the shapes need.
     pins : (K, 4) float64
@@ -116,20 +58,39 @@ def morph_ring(
         What is wrong with the outlines, the pins, the mesh.
     """
     if mesh is None:
-        ring = _found_mesh(source, target, quads, pins, observe)
-    else:
-        ring = _given_mesh(source, target, mesh, observe)
-    with observe("move"):
-        if folds == "prevent":
-            return RingMorph(
-                ring, unfolded(ring.outlines, ring.samples, ring.pair, ring.kept, method)
-            )
-        return RingMorph(ring, bare(ring.outlines, ring.samples, ring.pair, ring.kept, method))
+        return _found_mesh(source, target, quads, pins, observe)
+    return _given_mesh(source, target, mesh, observe)
+
+
+def match_hole(source: Outline, target: Outline, turned: float, observe: Observer) -> RingMatch:
+    """Match two holes of rings that are matched already.
+
+    Parameters
+    ----------
+    source, target : Outline
+        Both clockwise as drawn.
+    turned : float
+        Angle by which the outer rings turn, radians; a hole turns with its ring.
+    observe : Observer
+        Told of the stage.
+    """
+    with observe("match"):
+        turn = np.column_stack([rotations(np.asarray(turned)), np.zeros(2)])
+        matching = correspond(source.transformed(turn), target)
+        places = ArcLength(source), ArcLength(target)
+        outlines = MatchedOutlines(
+            *places, matching.u, matching.v, exact=matching.affine is not None
+        )
+        samples = outlines.samples(HOLE_SAMPLES)
+    # Two nodes far apart are enough to start from.
+    apart = np.linalg.norm(samples.source - samples.source[0], axis=1)
+    kept = np.unique([0, int(apart.argmax())])
+    return RingMatch(source, target, True, matching, outlines, samples, kept, None, "hole")
 
 
 def _found_mesh(
     source: Outline, target: Outline, quads: int | None, pins: Points, observe: Observer
-) -> RingMesh:
+) -> RingMatch:
     with observe("match"):
         matching = correspond(source, target, pins if len(pins) else None)
         places = ArcLength(source), ArcLength(target)
@@ -142,12 +103,12 @@ def _found_mesh(
         samples = outlines.samples(SAMPLES)
     with observe("mesh"):
         found = mesh_matched(samples.source, samples.target, samples.joints, quads)
-    return RingMesh(
-        source, target, matching, outlines, samples, found.pair, found.nodes, found.level
+    return RingMatch(
+        source, target, False, matching, outlines, samples, found.nodes, found.pair, found.level
     )
 
 
-def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Observer) -> RingMesh:
+def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Observer) -> RingMatch:
     with observe("match"):
         polygons = flatten(source.curves, CHORDS), flatten(target.curves, CHORDS)
         cycle = check_mesh(mesh, *polygons)
@@ -176,4 +137,4 @@ def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Obser
         pair = MeshPair(*vertices, rank[mesh.quads], rank[mesh.triangles])
         samples = outlines.samples(SAMPLES)
         kept = np.abs(samples.w[:, None] - w).argmin(axis=0)
-    return RingMesh(source, target, matching, outlines, samples, pair, kept, "given")
+    return RingMatch(source, target, False, matching, outlines, samples, kept, pair, "given")

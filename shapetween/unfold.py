@@ -1,195 +1,103 @@
-"""Moving an outline's nodes so that nothing folds: the whole plane moves along, and is checked.
+"""Moving a body's nodes so that nothing folds: the whole plane moves along, and is checked.
 
 The quads lead the inside of a mesh of the whole plane, whose outside keeps parts from passing
 through each other. The drawn curves are looked at all along the movement; where they cross, the
-outside is made stiffer, then the nodes denser, one setting for the whole movement.
+plane is made stiffer, then the nodes denser, one setting for the whole movement.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Points
-from shapetween.carry import Carrier
+from shapetween.body import Carried, Nodes, RingMatch, joined_meshes
+from shapetween.carry import affine_between
 from shapetween.errors import MeshError, OutlineError
-from shapetween.geometry.bezier import flatten
 from shapetween.geometry.polygon import polygon_area
+from shapetween.geometry.rotation import linear_between, rotations
 from shapetween.guide import QuadGuide
 from shapetween.interpolate import Tween, tween
-from shapetween.matched import MatchedOutlines, Samples
 from shapetween.mesh import MeshPair
 from shapetween.nodes import outline_nodes
 from shapetween.plane.check import simple_frames
+from shapetween.plane.ladder import CHECKED_TIMES, settle
 from shapetween.plane.mesh import PlaneMesh, plane_mesh
-from shapetween.plane.motion import PlaneMotion, Stiffness
 
-__all__ = ["Carried", "NodePath", "bare", "unfolded"]
+__all__ = ["bare", "unfolded"]
 
-#: Even times at which the drawn curves are looked at, and chords a curve is looked at with.
-CHECKED, CHORDS = 81, 8
-
-#: Greatest distance of the outline from its nodes' polygon, as a share of the root of the area:
+#: Greatest distance of an outline from its nodes' polygon, as a share of the root of the area:
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.
 TOLERANCES = (0.03, 0.012, 0.005)
 
 #: Greatest distance of neighbouring nodes in the same unit.
 SPAN = 0.6
 
-#: How the plane resists, in the order tried.
-STIFFNESSES = (
-    Stiffness(0.3, 4.0),
-    Stiffness(0.3, 1.0),
-    Stiffness(0.3, 0.0),
-    Stiffness(1.0, 0.0),
-    Stiffness(3.0, 0.0),
-)
 
-
-class NodePath(Protocol):
-    """Where the nodes of an outline are at any time."""
-
-    def nodes(self, t: Floats) -> Points:
-        """Nodes at the times (F,), (F, n, 2)."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class MeshNodes:
-    """The first vertices of a moving mesh."""
-
-    tween: Tween
-    count: int
-
-    def nodes(self, t: Floats) -> Points:
-        """Nodes at the times (F,), (F, n, 2)."""
-        return self.tween.vertices(t)[:, : self.count]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PlaneNodes:
-    """The nodes of a moving plane mesh."""
-
-    motion: PlaneMotion
-
-    def nodes(self, t: Floats) -> Points:
-        """Nodes at the times (F,), (F, n, 2)."""
-        return self.motion.vertices(t)[:, : self.motion.mesh.nodes]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Carried:
-    """An outline's curves on moving nodes, and what was seen of them.
-
-    Attributes
-    ----------
-    path : NodePath
-    carrier : Carrier
-    crossing : int
-        At how many of `checked` even times the drawn curves cross.
-    checked : int
-    setting : str
-        What moves the nodes.
-    led : float
-        Share of the inside that follows a quad.
-    """
-
-    path: NodePath
-    carrier: Carrier
-    crossing: int
-    checked: int
-    setting: str
-    led: float
-
-    def curves(self, t: Floats) -> Points:
-        """Control points at the times (F,), (F, P, 4, 2)."""
-        return self.carrier.curves(self.path.nodes(t), t)
-
-
-def _carried(
-    outlines: MatchedOutlines,
-    w: Floats,
-    source: Points,
-    target: Points,
-    path: NodePath,
-    setting: str,
-    led: float,
-) -> Carried:
-    """Put an outline's curves on moving nodes and look at them all along.
+def unfolded(rings: Sequence[RingMatch], method: str) -> Carried:
+    """The first of ever stronger settings that crosses nowhere, else the one that crosses least.
 
     Parameters
     ----------
-    outlines : MatchedOutlines
-    w : (n,) float64
-        Places of the nodes, increasing.
-    source, target : (n, 2) float64
-        The nodes at the ends.
-    path : NodePath
-    setting : str
-    led : float
-    """
-    carrier = Carrier(outlines.cut(w), w, source, target)
-    t = np.linspace(0, 1, CHECKED)
-    simple = simple_frames(flatten(carrier.curves(path.nodes(t), t), CHORDS))
-    # The ends are the drawings themselves, whatever they do.
-    return Carried(path, carrier, int((~simple[1:-1]).sum()), CHECKED - 2, setting, led)
-
-
-def unfolded(
-    outlines: MatchedOutlines, samples: Samples, pair: MeshPair, kept: Index, method: str
-) -> Carried:
-    """The first of ever stronger settings that crosses nowhere, else the one that does least.
-
-    Parameters
-    ----------
-    outlines : MatchedOutlines
-    samples : Samples
-        What nodes are chosen from.
-    pair : MeshPair
-        Quads that lead.
-    kept : (n,) intp
-        Samples that are the pair's own nodes.
+    rings : sequence of RingMatch
+        At least one of them no hole.
     method : str
         What moves the quads.
     """
     best: Carried | None = None
-    for found in _settings(outlines, samples, pair, kept, method):
+    for found in _settings(tuple(rings), method):
         if best is None or found.crossing < best.crossing:
             best = found
         if not best.crossing:
-            break
-    return best or bare(outlines, samples, pair, kept, method)
+            return best
+    loose = bare(rings, method)
+    return loose if best is None or loose.crossing < best.crossing else best
 
 
-def bare(
-    outlines: MatchedOutlines, samples: Samples, pair: MeshPair, kept: Index, method: str
-) -> Carried:
-    """The mesh's own nodes, moved by the method alone; parameters as for `unfolded`."""
-    nodes = MeshNodes(tween(pair, method), len(kept))
-    ends = pair.source[: len(kept)], pair.target[: len(kept)]
-    return _carried(outlines, samples.w[kept], *ends, nodes, "mesh alone", 1.0)
-
-
-def _settings(
-    outlines: MatchedOutlines, samples: Samples, pair: MeshPair, kept: Index, method: str
-) -> Iterator[Carried]:
+def _settings(rings: tuple[RingMatch, ...], method: str) -> Iterator[Carried]:
+    pair = joined_meshes(rings)
     for tolerance in TOLERANCES:
-        chosen = outline_nodes(samples.source, samples.target, kept, tolerance=tolerance, span=SPAN)
-        source, target, w = samples.source[chosen], samples.target[chosen], samples.w[chosen]
-        if not simple_frames(np.stack([source, target])).all():
+        nodes = Nodes(
+            rings,
+            tuple(
+                outline_nodes(
+                    ring.samples.source,
+                    ring.samples.target,
+                    ring.kept,
+                    tolerance=tolerance,
+                    span=SPAN,
+                )
+                for ring in rings
+            ),
+        )
+        sizes = tuple(len(k) for k in nodes.chosen)
+        if not simple_frames(np.stack(nodes.ends), sizes).all():
             continue
+        loops = [
+            np.arange(part.start, part.stop)[:: -1 if ring.hole else 1]
+            for ring, part in zip(rings, nodes.parts, strict=True)
+        ]
         try:
-            mesh = plane_mesh(source, target)
+            mesh = plane_mesh(*nodes.ends, loops)
         except (MeshError, OutlineError):
             continue
         guide, led = _guide(mesh, pair, method)
-        for stiffness in STIFFNESSES:
-            motion = PlaneMotion.prepare(mesh, stiffness, guide)
-            setting = (
-                f"nodes within {tolerance:g}, outside {stiffness.outside:g}, "
-                f"length {stiffness.length:g}"
-            )
-            yield _carried(outlines, w, source, target, PlaneNodes(motion), setting, led)
+        settled = settle(mesh, nodes.simple, guide)
+        stiffness = settled.stiffness
+        setting = (
+            f"{method} in the plane: nodes within {tolerance:g}, outside {stiffness.outside:g}, "
+            f"length {stiffness.length:g}"
+        )
+        inner = (settled.crossing > 0) & (settled.crossing < 1)
+        yield Carried(
+            nodes,
+            settled.motion,
+            int(inner.sum()),
+            CHECKED_TIMES - 2,  # the ends are the drawings themselves, whatever they do
+            settled.mended,
+            setting,
+            led,
+        )
 
 
 def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | None, float]:
@@ -209,3 +117,64 @@ def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | No
         return None, 0.0
     areas = np.abs(polygon_area(corners[0]))
     return guide, float(areas[guide.follows].sum() / areas.sum())
+
+
+def bare(rings: Sequence[RingMatch], method: str) -> Carried:
+    """The meshes' own nodes, moved by the method alone; holes go with the shape as a whole."""
+    nodes = Nodes(tuple(rings), tuple(ring.kept for ring in rings))
+    path = _BarePath.of(nodes, method)
+    t = np.linspace(0, 1, CHECKED_TIMES)
+    simple = nodes.simple(t, path.vertices(t))
+    crossing = int((~simple[1:-1]).sum())
+    return Carried(nodes, path, crossing, CHECKED_TIMES - 2, False, f"{method} alone", 1.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _BarePath:
+    """Nodes of a body whose outer rings follow their meshes."""
+
+    tween: Tween
+    outer: Index
+    vertices_of: Index
+    holes: Index
+    ends: tuple[Points, Points]
+    angle: Floats
+    stretch: Floats
+
+    @classmethod
+    def of(cls, nodes: Nodes, method: str) -> "_BarePath":
+        first, outer, vertices, holes = 0, [], [], []
+        for ring, part in zip(nodes.rings, nodes.parts, strict=True):
+            here = np.arange(part.start, part.stop)
+            if ring.pair is None:
+                holes.append(here)
+                continue
+            outer.append(here)
+            vertices.append(np.arange(first, first + len(here)))
+            first += len(ring.pair.source)
+        ends = nodes.ends
+        angle, stretch = affine_between(*ends)
+        return cls(
+            tween(joined_meshes(nodes.rings), method),
+            np.concatenate(outer),
+            np.concatenate(vertices),
+            np.concatenate([np.zeros(0, dtype=np.intp), *holes]),
+            ends,
+            np.reshape(angle, (1,)),
+            stretch[None],
+        )
+
+    def vertices(self, t: Floats) -> Points:
+        """Nodes at the times (F,), (F, n, 2)."""
+        result = np.zeros((len(t), *self.ends[0].shape))
+        result[:, self.outer] = self.tween.vertices(t)[:, self.vertices_of]
+        if len(self.holes):
+            general = linear_between(self.angle, self.stretch, t)[:, 0]
+            back = np.linalg.inv(rotations(self.angle) @ self.stretch)[0]
+            time = t[:, None, None]
+            means = [p.mean(axis=0) for p in self.ends]
+            start, end = (p[self.holes] - m for p, m in zip(self.ends, means, strict=True))
+            local = (1 - time) * start + time * (end @ back.T)
+            centre = (1 - t)[:, None] * means[0] + t[:, None] * means[1]
+            result[:, self.holes] = local @ np.swapaxes(general, 1, 2) + centre[:, None]
+        return result

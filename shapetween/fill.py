@@ -1,0 +1,214 @@
+"""One filled shape becoming another: its pieces and holes matched, meshed and moved."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from shapetween.arrays import Points
+from shapetween.body import Carried, RingMatch
+from shapetween.carry import affine_between
+from shapetween.drawing import Shape
+from shapetween.errors import MeshError, OptionError, OutlineError
+from shapetween.geometry.rotation import rotations
+from shapetween.mesh import MeshPair
+from shapetween.observe import Observer
+from shapetween.outline import Outline
+from shapetween.pairing import Thing, pair_things
+from shapetween.parts import FilledPart
+from shapetween.passengers import Passenger
+from shapetween.regions import Region, regions_of
+from shapetween.ring import match_hole, match_outer
+from shapetween.unfold import bare, unfolded
+
+__all__ = ["FillSettings", "morph_fill"]
+
+#: Most pieces of a shape that move in one plane, kept apart from each other. More cost too much.
+MOST_TOGETHER = 12
+
+#: Distance of a pin from the pieces it may belong to, as a share of their size.
+PIN_REACH = 0.05
+
+
+@dataclass(slots=True, eq=False)
+class FillSettings:
+    """What the user asked of all filled shapes, and which of it has found its place.
+
+    Attributes
+    ----------
+    method : str
+    folds : {"prevent", "allow"}
+    quads : int or None
+    pins : (K, 4) float64
+        In the movement's frame.
+    meshes : mapping of str to MeshPair
+        In the movement's frame, by name of shape.
+    observe : Observer
+    """
+
+    method: str
+    folds: str
+    quads: int | None
+    pins: Points
+    meshes: Mapping[str, MeshPair]
+    observe: Observer
+    used_pins: set[int] = field(default_factory=set)
+    used_meshes: set[str] = field(default_factory=set)
+
+    def mesh_for(self, name: str) -> MeshPair | None:
+        """The mesh given for a shape, once."""
+        key = name if name in self.meshes else ""
+        if key not in self.meshes or key in self.used_meshes:
+            return None
+        self.used_meshes.add(key)
+        return self.meshes[key]
+
+    def pins_for(self, first: Region, second: Region) -> Points:
+        """Pins that lie on these two pieces, (K, 4)."""
+        mine = []
+        for k, pin in enumerate(self.pins):
+            near = [_near(region, point) for region, point in ((first, pin[:2]), (second, pin[2:]))]
+            if k not in self.used_pins and all(near):
+                mine.append(k)
+        self.used_pins.update(mine)
+        return self.pins[mine]
+
+    def check_used(self) -> None:
+        """Refuse what belongs to no shape."""
+        for k, pin in enumerate(self.pins):
+            if k not in self.used_pins:
+                ax, ay, bx, by = pin.tolist()
+                raise OptionError(
+                    f"pin {k + 1} ({ax:g},{ay:g} to {bx:g},{by:g} in the first drawing's units): "
+                    "does not lie on two outlines that become each other"
+                )
+        unused = sorted(set(self.meshes) - self.used_meshes)
+        if unused:
+            raise MeshError(f"mesh: there is no filled shape {unused[0]!r} to use it for")
+
+
+def _near(region: Region, point: Points) -> bool:
+    from shapetween.arclength import ArcLength
+
+    size = float(np.linalg.norm(np.ptp(region.outer.box, axis=0)))
+    return bool(ArcLength(region.outer).nearest(point)[1] <= PIN_REACH * size)
+
+
+def morph_fill(
+    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str]
+) -> tuple[FilledPart, tuple[str, ...]]:
+    """Prepare the movement of one filled shape, and what there is to warn of.
+
+    Parameters
+    ----------
+    first, second : Shape
+        In one frame.
+    settings : FillSettings
+    names : tuple of str
+        What messages call the drawings.
+    """
+    name = first.name or second.name
+    with settings.observe("regions"):
+        before, said_a = regions_of(first, _called(first, names[0]))
+        after, said_b = regions_of(second, _called(second, names[1]))
+        boxes = np.array([region.outer.box for region in (*before, *after)])
+        scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
+        pairing = pair_things([_thing(r) for r in before], [_thing(r) for r in after], scale)
+    warnings = [*said_a, *said_b]
+    mesh = settings.mesh_for(name)
+    bodies: list[list[RingMatch]] = []
+    strangers: list[tuple[Region, bool, int]] = []
+    for i, j in pairing.pairs:
+        outer = match_outer(
+            before[i].outer,
+            after[j].outer,
+            quads=settings.quads,
+            pins=settings.pins_for(before[i], after[j]),
+            mesh=mesh,
+            observe=settings.observe,
+        )
+        mesh = None
+        if outer.matching.confidence == "unsure":
+            warnings.append(
+                f"{f'{name}: ' if name else ''}matched with little certainty; look at the "
+                "matching with 'shapetween mesh' and correct it with --pin"
+            )
+        holes, alone = _matched_holes(before[i], after[j], outer, settings)
+        strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in alone]
+        bodies.append([outer, *holes])
+    with settings.observe("move"):
+        carried, holder = _moved(bodies, settings)
+        passengers = [
+            Passenger.of(region.outer, (), arrives, carried[holder[body]], is_hole=True)
+            for region, arrives, body in strangers
+        ]
+        for side, only, arrives in (
+            (before, pairing.first_only, False),
+            (after, pairing.second_only, True),
+        ):
+            on = carried[0] if len(carried) == 1 else None
+            passengers += [Passenger.of(side[k].outer, side[k].holes, arrives, on) for k in only]
+    crossing = sum(c.crossing for c in carried)
+    if crossing and settings.folds == "prevent":
+        checked = carried[0].checked
+        warnings.append(
+            f"{f'{name}: ' if name else ''}the outline crosses itself at {crossing} of {checked} "
+            "times on the way; pins on the parts that cross may help"
+        )
+    part = FilledPart(name, (first.style, second.style), tuple(carried), tuple(passengers))
+    return part, tuple(warnings)
+
+
+def _called(shape: Shape, file: str) -> str:
+    return f"{file}: shape {shape.name!r}" if shape.name else file
+
+
+def _thing(region: Region) -> Thing:
+    return Thing(region.centre, float(np.sqrt(region.area)))
+
+
+def _matched_holes(
+    first: Region, second: Region, outer: RingMatch, settings: FillSettings
+) -> tuple[list[RingMatch], list[tuple[Outline, bool]]]:
+    """Holes matched where the outer rings' own movement puts them, and those left over."""
+    angle, stretch = affine_between(outer.samples.source, outer.samples.target)
+    linear = rotations(np.asarray(angle)) @ stretch
+    means = outer.samples.source.mean(axis=0), outer.samples.target.mean(axis=0)
+    size = float(np.linalg.norm(np.ptp(second.outer.box, axis=0)))
+    before = [_thing(Region(hole)) for hole in first.holes]
+    grown = float(np.sqrt(np.linalg.det(linear)))
+    put = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
+    after = [_thing(Region(hole)) for hole in second.holes]
+    pairing = pair_things(put, after, size)
+    matched, alone = [], []
+    for i, j in pairing.pairs:
+        try:
+            matched.append(
+                match_hole(first.holes[i], second.holes[j], float(angle), settings.observe)
+            )
+        except OutlineError:
+            alone += [(first.holes[i], False), (second.holes[j], True)]
+    alone += [(first.holes[i], False) for i in pairing.first_only]
+    alone += [(second.holes[j], True) for j in pairing.second_only]
+    return matched, alone
+
+
+def _moved(
+    bodies: list[list[RingMatch]], settings: FillSettings
+) -> tuple[list[Carried], list[int]]:
+    """Movements of all bodies, and which of them each body is in.
+
+    They move in one plane, which keeps them apart; where that fails, each moves in its own.
+    """
+    each = list(range(len(bodies)))
+    if settings.folds == "allow":
+        return [bare(rings, settings.method) for rings in bodies], each
+    together = None
+    if 1 < len(bodies) <= MOST_TOGETHER:
+        together = unfolded([ring for rings in bodies for ring in rings], settings.method)
+        if not together.crossing:
+            return [together], [0] * len(bodies)
+    alone = [unfolded(rings, settings.method) for rings in bodies]
+    if together is not None and together.crossing <= sum(c.crossing for c in alone):
+        return [together], [0] * len(bodies)
+    return alone, each

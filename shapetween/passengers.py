@@ -1,0 +1,118 @@
+"""Rings without a partner: they open from a point, or close to one, riding on the plane."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.body import Carried
+from shapetween.geometry.bezier import flatten
+from shapetween.outline import Outline
+from shapetween.plane.mesh import PlaneMesh
+
+__all__ = ["Passenger"]
+
+#: Chords of a curve where a polygon will do.
+CHORDS = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Passenger:
+    """Rings that are whole at one end of the movement and a point at the other.
+
+    Attributes
+    ----------
+    curves_at_home : (P, 4, 2) float64
+        All their curves where they are whole.
+    counts : tuple of int
+        Number of curves in each ring.
+    arrives : bool
+        Whether they are whole at the end; else at the start.
+    ride : _Ride or None
+        The moving plane that they ride on; None to stay in place.
+    """
+
+    curves_at_home: Curves
+    counts: tuple[int, ...]
+    arrives: bool
+    centre: Points
+    ride: "_Ride | None"
+
+    @classmethod
+    def of(
+        cls,
+        outer: Outline,
+        holes: tuple[Outline, ...],
+        arrives: bool,
+        on: Carried | None,
+        *,
+        is_hole: bool = False,
+    ) -> "Passenger":
+        """Take rings aboard.
+
+        Parameters
+        ----------
+        outer : Outline
+            Clockwise as drawn, as are the holes.
+        holes : tuple of Outline
+        arrives : bool
+        on : Carried or None
+            The body whose plane they ride on.
+        is_hole : bool
+            Whether the ring is itself a hole, and is drawn the other way round.
+        """
+        import shapely
+
+        first = outer.reversed() if is_hole else outer
+        rings = [first, *(hole.reversed() for hole in holes)]
+        curves = np.concatenate([ring.curves for ring in rings])
+        polygon = shapely.make_valid(shapely.Polygon(flatten(outer.curves, CHORDS)))
+        extent = float(np.ptp(outer.box, axis=0).max())
+        circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
+        centre = np.array(circle.coords[0])
+        mesh = getattr(on.path, "mesh", None) if on is not None else None
+        ride = None
+        if on is not None and isinstance(mesh, PlaneMesh):
+            ride = _Ride.of(on, mesh, np.concatenate([curves.reshape(-1, 2), [centre]]), arrives)
+        return cls(curves, tuple(len(r.curves) for r in rings), arrives, centre, ride)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2)."""
+        points = np.concatenate([self.curves_at_home.reshape(-1, 2), self.centre[None]])
+        moved = np.repeat(points[None], len(t), axis=0) if self.ride is None else self.ride.at(t)
+        centre = moved[:, -1:]
+        size = t if self.arrives else 1 - t
+        shrunk = centre + size[:, None, None] * (moved[:, :-1] - centre)
+        result = shrunk.reshape(len(t), *self.curves_at_home.shape)
+        result[size == 1] = self.curves_at_home
+        return result
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ride:
+    """Points held by the triangles of a moving plane."""
+
+    on: Carried
+    corners: Index
+    weights: Floats
+
+    @classmethod
+    def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride":
+        vertices = mesh.target if arrives else mesh.source
+        corners = vertices[mesh.triangles]
+        first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+        sound = np.abs(area) > 0
+        inverse = np.zeros((len(area), 2, 2))
+        inverse[sound] = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
+        offsets = points[:, None] - corners[:, 0]
+        local = np.einsum("tij,ptj->pti", inverse, offsets)
+        weights = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
+        # The triangle whose least weight is greatest holds the point, or is nearest to holding it.
+        least = np.where(sound & ~mesh.turned, weights.min(axis=-1), -np.inf)
+        chosen = least.argmax(axis=1)
+        return cls(on, mesh.triangles[chosen], weights[np.arange(len(points)), chosen])
+
+    def at(self, t: Floats) -> Points:
+        vertices = self.on.path.vertices(t)
+        return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))

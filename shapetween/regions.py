@@ -1,0 +1,231 @@
+"""What a filled shape's rings enclose: pieces, each an outer ring with its holes.
+
+.. [SVG2] *Scalable Vector Graphics 2*, section 13.3, fill-rule.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Points
+from shapetween.drawing import Shape
+from shapetween.errors import OutlineError
+from shapetween.geometry.bezier import flatten, line_curves
+from shapetween.outline import Outline
+from shapetween.paint import FillRule
+from shapetween.tidy import tidy
+
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Region", "regions_of"]
+
+#: Chords of a curve when rings are first looked at, and when they seem to cross: a coarse polygon
+#: may touch itself in a slit where the curve does not.
+CHORDS, FINE_CHORDS = 12, 48
+
+#: Share of its area by which a ring may overlap itself or another and still count as apart:
+#: editors round coordinates and leave closing lines that step back by the last digit.
+NEGLIGIBLE = 1e-4
+
+#: Share of the whole area below which a ring shows nothing.
+SPECK = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Region:
+    """One piece of a filled shape.
+
+    Attributes
+    ----------
+    outer : Outline
+    holes : tuple of Outline
+        All rings clockwise as drawn, outer and holes alike, none crossing another.
+    """
+
+    outer: Outline
+    holes: tuple[Outline, ...] = ()
+
+    @property
+    def area(self) -> float:
+        """Area of the outer ring."""
+        return self.outer.area
+
+    @property
+    def centre(self) -> Points:
+        """Centroid of the outer ring, (2,)."""
+        points = flatten(self.outer.curves, 4)
+        following = np.roll(points, -1, axis=0)
+        origin = points.mean(axis=0)
+        a, b = points - origin, following - origin
+        weight = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        return np.asarray(origin + ((a + b) * weight[:, None]).sum(axis=0) / (3 * weight.sum()))
+
+
+def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
+    """Pieces of a filled shape, the largest first, and warnings.
+
+    Parameters
+    ----------
+    shape : Shape
+        With closed rings.
+    name : str
+        What warnings call it.
+
+    Notes
+    -----
+    Rings that cross themselves or each other are replaced by polygons of what the fill rule
+    [SVG2]_ shows of them; all others keep their curves.
+
+    Raises
+    ------
+    OutlineError
+        If nothing of the shape encloses an area.
+    """
+    rings = [ring for ring in shape.rings if _encloses(ring)]
+    if not rings:
+        raise OutlineError(f"{name}: the outline encloses no area")
+    rule = shape.style.fill_rule
+    polygons = _simple_polygons(rings)
+    if polygons is None:
+        place = _crossing_place(rings)
+        found = _resolved(rings, rule)
+        if not found:
+            raise OutlineError(f"{name}: the outline encloses no area{place}")
+        warning = f"{name}: an outline crosses itself{place}; what it shows was outlined anew"
+        return _largest_first(found), (warning,)
+    found = _nested(rings, polygons, rule)
+    if not found:
+        raise OutlineError(f"{name}: its fill rule shows nothing of it")
+    return _largest_first(found), ()
+
+
+def _largest_first(found: list[Region]) -> tuple[Region, ...]:
+    return tuple(sorted(found, key=lambda region: -region.area))
+
+
+def _encloses(ring: Outline) -> bool:
+    low, high = ring.box
+    size = float(np.max(high - low))
+    return abs(ring.area) > SPECK * size * size
+
+
+def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
+    """Polygons of rings that cross neither themselves nor each other; None where some do."""
+    import shapely
+
+    polygons = []
+    for ring in rings:
+        for chords in (CHORDS, FINE_CHORDS):
+            polygon = shapely.Polygon(flatten(ring.curves, chords))
+            if polygon.is_valid:
+                break
+            fixed = shapely.make_valid(polygon)
+            if abs(float(fixed.area) / abs(ring.area) - 1) <= NEGLIGIBLE:
+                parts = [p for p in shapely.get_parts(fixed) if p.geom_type == "Polygon"]
+                polygon = max(parts, key=shapely.area)
+                break
+        else:
+            return None
+        polygons.append(polygon)
+    tree = shapely.STRtree(polygons)
+    first, second = tree.query(polygons, predicate="intersects")
+    for i, j in zip(first.tolist(), second.tolist(), strict=True):
+        if i < j and polygons[i].overlaps(polygons[j]):
+            common = polygons[i].intersection(polygons[j]).area
+            least = min(polygons[i].area, polygons[j].area)
+            # All of the smaller one within the larger is nesting with a touch.
+            if NEGLIGIBLE * least < common < (1 - NEGLIGIBLE) * least:
+                return None
+    return polygons
+
+
+def _nested(
+    rings: list[Outline], polygons: "list[shapely.Polygon]", rule: FillRule
+) -> list[Region]:
+    """Regions of rings that do not cross, by how deep each lies and which way it runs."""
+    import shapely
+
+    inner = [shapely.point_on_surface(p) for p in polygons]
+    areas = np.array([p.area for p in polygons])
+    tree = shapely.STRtree(polygons)
+    point, holder = tree.query(inner, predicate="within")
+    larger = areas[holder] > areas[point] * (1 + NEGLIGIBLE)
+    pairs = list(zip(point[larger].tolist(), holder[larger].tolist(), strict=True))
+    around: list[list[int]] = [[] for _ in rings]
+    for child, parent in pairs:
+        around[child].append(parent)
+    if rule == "evenodd":
+        outside = np.array([len(held) % 2 for held in around])
+        inside = 1 - outside
+    else:
+        turn = np.array([1 if ring.area > 0 else -1 for ring in rings])
+        outside = np.array([int(turn[held].sum()) for held in around])
+        inside = outside + turn
+    shows = (outside != 0) != (inside != 0)
+    is_outer = shows & (inside != 0)
+    clockwise = [tidy(ring if ring.area > 0 else ring.reversed()) for ring in rings]
+    holes: dict[int, list[Outline]] = {int(k): [] for k in np.flatnonzero(is_outer)}
+    for k in np.flatnonzero(shows & ~is_outer).tolist():
+        owners = [p for p in around[k] if is_outer[p]]
+        if owners:
+            holes[min(owners, key=lambda p: areas[p])].append(clockwise[k])
+    return [Region(clockwise[k], tuple(found)) for k, found in holes.items()]
+
+
+def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
+    """Regions that crossing rings show, as polygons."""
+    import shapely
+
+    points = [flatten(ring.curves, FINE_CHORDS) for ring in rings]
+    lines = shapely.node(shapely.multilinestrings([np.concatenate([p, p[:1]]) for p in points]))
+    faces = list(shapely.get_parts(shapely.polygonize(list(shapely.get_parts(lines)))))
+    total = sum(face.area for face in faces)
+    kept = []
+    for face in faces:
+        if face.area <= SPECK * total:
+            continue
+        spot = np.array(face.representative_point().coords[0])
+        winding = sum(_winding(p, spot) for p in points)
+        if winding % 2 if rule == "evenodd" else winding != 0:
+            kept.append(face)
+    merged = shapely.get_parts(shapely.union_all(kept)) if kept else []
+    return [
+        Region(_of_polygon(p.exterior.coords), tuple(_of_polygon(h.coords) for h in p.interiors))
+        for p in merged
+        if p.area > SPECK * total
+    ]
+
+
+def _winding(points: Points, spot: Points) -> int:
+    a = points - spot
+    b = np.roll(a, -1, axis=0)
+    turns = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1)).sum()
+    return round(float(turns) / (2 * np.pi))
+
+
+def _of_polygon(coordinates: "Index | Floats | object") -> Outline:
+    points = np.array(coordinates, dtype=np.float64)[:-1]
+    ring = Outline(line_curves(points, np.roll(points, -1, axis=0)))
+    return tidy(ring if ring.area > 0 else ring.reversed())
+
+
+def _crossing_place(rings: list[Outline]) -> str:
+    """Where rings cross first, for messages."""
+    import shapely
+
+    polygons = [shapely.Polygon(flatten(ring.curves, FINE_CHORDS)) for ring in rings]
+    for polygon in polygons:
+        reason = shapely.is_valid_reason(polygon)
+        if "[" in reason:
+            x, y = (float(value) for value in reason[reason.find("[") + 1 : -1].split()[:2])
+            return f" near {x:.6g}, {y:.6g}"
+    lines = [polygon.exterior for polygon in polygons]
+    for k, line in enumerate(lines):
+        for other in lines[:k]:
+            common = line.intersection(other)
+            if not common.is_empty:
+                x, y = common.representative_point().coords[0]
+                return f" near {x:.6g}, {y:.6g}"
+    return ""
