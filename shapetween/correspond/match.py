@@ -128,21 +128,15 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
 
 def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     pins = pins[np.argsort(pins[:, 0])]
-    layout = _layout(a, b, pins)
-    first, second = stations(a, layout.a), stations(b, layout.b)
-    intrinsic = intrinsic_cost(first, second)
-    even = np.zeros_like(intrinsic)
-    paths = cyclic_paths(intrinsic, even, layout.fixed, layout.starts)
+    layout = _layout(a, b, pins, STATIONS)
+    intrinsic = intrinsic_cost(stations(a, layout.a), stations(b, layout.b))
+    paths = cyclic_paths(intrinsic, np.zeros_like(intrinsic), layout.fixed, layout.starts)
     turn = _turn_between(a, b, _distinct(paths, layout, 1, 0.0)[0])
-    near_pins = np.maximum(
-        _nearness(layout.a, pins[:, 0])[:, None], _nearness(layout.b, pins[:, 1])
-    )
     # Rewards not earned count as costs, so that the costs of two frames have a ratio.
     unrewarded = VERTEX_REWARD * len(a.vertices.index) / STATIONS
     ranked: list[tuple[float, Candidate]] = []
     for angle in [0.0] if abs(turn) < MIN_TURN else [0.0, turn]:
-        upright = upright_cost(first.turned(angle), second)
-        cost = near_pins * intrinsic + (1 - near_pins) * upright
+        cost = _cost(a, b, layout, angle, pins)
         reward = _vertex_rewards(a, b, layout, angle)
         paths = cyclic_paths(cost, reward, layout.fixed, layout.starts)
         handicap = 1.0 if angle == 0 else 1 / FRAME_RATIO
@@ -152,7 +146,8 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     costs = [cost for cost, _ in ranked] + [np.inf]
     lead = costs[1] / costs[0] - 1
     confidence: Confidence = "sure" if lead > SURE else "likely" if lead > LIKELY else "unsure"
-    made = [_finished(a, b, candidate, cost, pins) for cost, candidate in ranked]
+    ranked[0] = costs[0], _refined(a, b, ranked[0][1], pins)
+    made = [_finished(a, b, candidate, cost) for cost, candidate in ranked]
     best = made[0]
     return Correspondence(
         u=best.u,
@@ -165,10 +160,10 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     )
 
 
-def _layout(a: Prepared, b: Prepared, pins: Floats) -> Layout:
+def _layout(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
     """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
-    fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), STATIONS)
-    starts = np.arange(0, 1 if len(pins) else STATIONS, EVERY)
+    fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), count)
+    starts = np.arange(0, 1 if len(pins) else count, EVERY)
     places_a, stations_a = _onto_vertices(a, at_a, fixed)
     places_b, stations_b = _onto_vertices(b, at_b, fixed)
     return Layout(places_a, places_b, stations_a, stations_b, fixed, starts)
@@ -203,6 +198,17 @@ def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats
     return places, nearest
 
 
+def _cost(a: Prepared, b: Prepared, layout: Layout, angle: float, pins: Floats) -> Floats:
+    """Costs of all pairs of stations in one frame, (n, n)."""
+    first, second = stations(a, layout.a), stations(b, layout.b)
+    cost = upright_cost(first.turned(angle), second)
+    if len(pins) == 0:
+        return cost
+    sway_a, sway_b = _nearness(layout.a, pins[:, 0]), _nearness(layout.b, pins[:, 1])
+    sway = np.maximum(sway_a[:, None], sway_b)
+    return sway * intrinsic_cost(first, second) + (1 - sway) * cost
+
+
 def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> Floats:
     """What a path earns in each cell by matching salient vertices, (n, n)."""
     count = len(a.samples.points)
@@ -217,8 +223,6 @@ def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> F
 
 def _nearness(places: Floats, pins: Floats) -> Floats:
     """How much each place is under the sway of a pin, from 0 to 1."""
-    if len(pins) == 0:
-        return np.zeros(len(places))
     gap = places[:, None] - pins
     away = np.abs(gap - np.round(gap)).min(axis=1)
     return np.asarray(np.maximum(1 - away / PIN_REACH, 0.0))
@@ -266,9 +270,35 @@ def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
     return np.asarray(np.interp(at - whole, knots, values) + whole)
 
 
-def _finished(
-    a: Prepared, b: Prepared, candidate: Candidate, cost: float, pins: Floats
-) -> Correspondence:
+def _refined(a: Prepared, b: Prepared, candidate: Candidate, pins: Floats) -> Candidate:
+    """The matching found again with more stations, near where it was.
+
+    Vertices are not rewarded here: the candidate has settled which meets which, and the outline
+    between them tells more exactly where.
+
+    Without pins, the first pass keeps one knot; the second is cut open half-way round, so that
+    this knot moves as well.
+    """
+    best = candidate
+    for cut in (0.0,) if len(pins) else (0.0, 0.5):
+        middle = best.a[0] + cut
+        kept = np.array([[middle, _follow(best.a, best.b, np.array([middle]))[0]]])
+        layout = _layout(a, b, pins if len(pins) else kept, FINE_STATIONS)
+        cost = _cost(a, b, layout, candidate.turn, pins)
+        # Near along either outline: where one of them stands still, the other one runs.
+        across = _follow(best.a, best.b, layout.a)[:, None] - layout.b
+        along = layout.a[:, None] - _follow(best.b, best.a, layout.b)
+        away = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
+        cost[away > BAND] = np.inf
+        paths = cyclic_paths(cost, np.zeros_like(cost), layout.fixed, layout.starts)
+        if not np.isfinite(paths.costs[0]):
+            break
+        best = _distinct(paths, layout, 1, candidate.turn)[0]
+    return best
+
+
+def _finished(a: Prepared, b: Prepared, candidate: Candidate, cost: float) -> Correspondence:
+    """The candidate in the outlines' own fractions."""
     u, v = a.samples.start + candidate.a, b.samples.start + candidate.b
     u[-1], v[-1] = u[0] + 1, v[0] + 1
     return Correspondence(u, v, cost, np.inf, "unsure", candidate.turn)
