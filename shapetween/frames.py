@@ -1,14 +1,15 @@
 """When frames are taken: easing, even frames, and keyframes no denser than the eye needs.
 
 Two clocks run here. A player's clock `u` goes evenly from 0 to 1; the movement's time `t` is what
-an easing makes of it, a Bezier curve through both: (u, t) = (x(s), y(s)). A player that moves on
-straight lines between keyframes is right only where the movement is straight in `u`, so keyframes
-are chosen there.
+an easing makes of it, a Bezier curve through both: (u, t) = (x(s), y(s)). Between keyframes a
+player moves straight; but it can be told to ease on the way exactly as the whole does. So keyframes
+are needed only where the movement is not straight in `t`.
 
 .. [Css] CSS Easing Functions Level 1, section 2.2, W3C.
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -16,15 +17,16 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index
 from shapetween.errors import OptionError
+from shapetween.geometry.bezier import sub_curves
 
 __all__ = [
     "EASINGS",
     "KEYFRAME_TOLERANCE",
     "Easing",
+    "Schedule",
     "easing_function",
     "even_times",
     "keyframes",
-    "sample_times",
 ]
 
 Easing: TypeAlias = Callable[[Floats], Floats]
@@ -40,6 +42,8 @@ EASINGS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
         "ease-in-out": (0.42, 0.0, 0.58, 1.0),
     }
 )
+
+LINEAR = EASINGS["linear"]
 
 #: How far a control point may be from its place between two keyframes, as a share of the view
 #: box's larger side: 0.18 px at 1000 px, which with the default rounding stays within a quarter of
@@ -130,18 +134,71 @@ def even_times(count: int) -> Floats:
     return np.arange(count) / max(count - 1, 1)
 
 
-def sample_times(easing: str) -> tuple[Floats, Floats]:
-    """Times on which `keyframes` may choose: the player's, and the movement's, (S,) each.
+@dataclass(frozen=True, slots=True, eq=False)
+class Schedule:
+    """Samples of a movement as a player shows them, even along the easing's curve.
 
-    They are even along the easing's curve, so that a steep easing leaves no gap in either.
+    So a steep easing leaves no gap in either clock.
+
+    Attributes
+    ----------
+    clock : (S,) float64
+        When the player shows each sample, from 0 to 1.
+    time : (S,) float64
+        The movement's time then.
+    handles : tuple of float
+        x1, y1, x2, y2 of the easing.
     """
-    x1, y1, x2, y2 = _handles(easing)
-    s = even_times(SAMPLE_STEPS + 1)
-    if (x1, x2) == (y1, y2):
-        return s, s
-    # Rounding must neither leave [0, 1] nor turn the clock back where it all but stands.
-    clock = np.maximum.accumulate(np.clip(_bezier(s, x1, x2), 0.0, 1.0))
-    return clock, np.clip(_bezier(s, y1, y2), 0.0, 1.0)
+
+    clock: Floats
+    time: Floats
+    handles: tuple[float, float, float, float]
+
+    @classmethod
+    def of(cls, easing: str, count: int = SAMPLE_STEPS + 1) -> "Schedule":
+        """The schedule of an easing, `count` samples long."""
+        x1, y1, x2, y2 = _handles(easing)
+        s = even_times(count)
+        if (x1, x2) == (y1, y2):
+            return cls(s, s, LINEAR)
+        # Rounding must neither leave [0, 1] nor turn the clock back where it all but stands.
+        clock = np.maximum.accumulate(np.clip(_bezier(s, x1, x2), 0.0, 1.0))
+        return cls(clock, np.clip(_bezier(s, y1, y2), 0.0, 1.0), (x1, y1, x2, y2))
+
+    def thinned(self, stride: int) -> "Schedule":
+        """Every so manieth sample."""
+        return Schedule(self.clock[::stride], self.time[::stride], self.handles)
+
+    @property
+    def stops(self) -> list[int]:
+        """Samples that must be keyframes, besides the ends, for `parts` to stay in their square.
+
+        Notes
+        -----
+        The speed along either axis is a parabola that is nowhere negative; in Bernstein form over
+        the whole its coefficients are a, b, c. A part that has its lowest point inside may have a
+        negative b, and then a handle outside; no other part can.
+        """
+        x1, y1, x2, y2 = self.handles
+        lowest = []
+        for first, second in ((x1, x2), (y1, y2)):
+            a, b, c = first, second - first, 1 - second
+            if b < 0:
+                lowest.append(round((a - b) / (a - 2 * b + c) * (len(self.time) - 1)))
+        return sorted(set(lowest))
+
+    def parts(self, picks: Index) -> Floats:
+        """The easing between each two of the samples picked, (M - 1, 4), as handles x1 y1 x2 y2.
+
+        Any part of a Bezier is a Bezier, and every coordinate is from 0 to 1 if the `stops` are
+        among the picks.
+        """
+        s = picks / max(len(self.clock) - 1, 1)
+        whole = np.array([0.0, 0.0, *self.handles, 1.0, 1.0]).reshape(1, 4, 2)
+        curves = sub_curves(np.repeat(whole, len(s) - 1, axis=0), s[:-1], s[1:])
+        start, size = curves[:, :1], curves[:, 3:] - curves[:, :1]
+        inner = (curves[:, 1:3] - start) / np.where(size > 0, size, 1.0)
+        return np.clip(inner, 0.0, 1.0).reshape(-1, 4)
 
 
 def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
@@ -152,7 +209,7 @@ def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
     samples : (S, K, D) float64
         K points, or colours.
     times : (S,) float64
-        When each sample is shown, not falling.
+        The movement's time of each sample, not falling.
     tolerance : float
         Greatest distance allowed between a point and the straight line in time that stands for it.
         Moving a Bezier's control points moves no point of the curve farther.

@@ -4,11 +4,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from shapetween.arrays import Floats
 from shapetween.errors import OptionError
-from shapetween.frames import EASINGS, easing_function, even_times, keyframes, sample_times
+from shapetween.frames import EASINGS, Schedule, easing_function, even_times, keyframes
 
 unit = st.floats(0, 1)
 
@@ -86,7 +87,7 @@ def wave(u: np.ndarray, speed: float, bend: float) -> np.ndarray:
 
 @given(st.floats(0, 12), st.floats(0, 3), st.sampled_from([1e-1, 1e-2, 1e-3]))
 def test_lines_between_keyframes_stay_near(speed: float, bend: float, tolerance: float) -> None:
-    u, _ = sample_times("linear")
+    u = Schedule.of("linear").clock
     samples = wave(u, speed, bend)
     picks = keyframes(samples, u, tolerance)
     assert picks[0] == 0
@@ -105,7 +106,7 @@ def test_lines_between_keyframes_stay_near(speed: float, bend: float, tolerance:
 
 @given(st.floats(1, 12), st.sampled_from([1e-1, 1e-2]))
 def test_no_keyframe_is_wasted(speed: float, tolerance: float) -> None:
-    u, _ = sample_times("linear")
+    u = Schedule.of("linear").clock
     samples = wave(u, speed, 0)
     picks = keyframes(samples, u, tolerance)
     for start, end in pairwise(picks[:-1].tolist()):
@@ -116,20 +117,42 @@ def test_no_keyframe_is_wasted(speed: float, tolerance: float) -> None:
 
 
 def test_stillness_and_straight_lines_need_only_their_ends() -> None:
-    u, _ = sample_times("linear")
-    still = np.ones((121, 5, 2))
+    u = Schedule.of("linear").clock
+    still = np.ones((len(u), 5, 2))
     line = still * u[:, None, None]
-    assert keyframes(still, u, 1e-9).tolist() == [0, 120]
-    assert keyframes(line, u, 1e-9).tolist() == [0, 120]
+    assert keyframes(still, u, 1e-9).tolist() == [0, len(u) - 1]
+    assert keyframes(line, u, 1e-9).tolist() == [0, len(u) - 1]
     assert keyframes(still[:1], u[:1], 1e-9).tolist() == [0]
 
 
 @pytest.mark.parametrize("name", [*EASINGS, "cubic-bezier(1,0,0,1)", "cubic-bezier(0,1,0,1)"])
 def test_samples_lie_on_the_easing_without_gaps(name: str) -> None:
-    u, t = sample_times(name)
+    schedule = Schedule.of(name)
+    u, t = schedule.clock, schedule.time
     assert (u[0], t[0], u[-1], t[-1]) == (0, 0, 1, 1)
     assert (np.diff(u) >= 0).all()
     assert max(np.diff(u).max(), np.diff(t).max()) < 0.026
     # Where the clock stands the easing has no one value; there the curve itself is the answer.
     moving = np.gradient(u) > 1e-4
     np.testing.assert_allclose(easing_function(name)(u)[moving], t[moving], atol=1e-6)
+
+
+@given(unit, unit, unit, unit)
+def test_parts_of_an_easing_are_easings_that_make_the_whole(
+    x1: float, y1: float, x2: float, y2: float
+) -> None:
+    assume((x1, x2) != (y1, y2))  # which is linear, however it is written
+    schedule = Schedule.of(f"cubic-bezier({x1!r},{y1!r},{x2!r},{y2!r})")
+    picks = np.unique([0, 30, 70, 120, *schedule.stops])
+    for handles, (a, b) in zip(schedule.parts(picks), pairwise(picks.tolist()), strict=True):
+        s = np.linspace(0, 1, 21)[:, None]
+        corners = np.concatenate([[0, 0], handles, [1, 1]]).reshape(4, 2)
+        low = np.array([schedule.clock[a], schedule.time[a]])
+        high = np.array([schedule.clock[b], schedule.time[b]])
+        part = low + bernstein(s) @ corners * (high - low)
+        whole = np.array([[0, 0], [x1, y1], [x2, y2], [1, 1]])
+        np.testing.assert_allclose(part, bernstein((a + s * (b - a)) / 120) @ whole, atol=2e-3)
+
+
+def bernstein(s: Floats) -> Floats:
+    return np.concatenate([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3], axis=1)

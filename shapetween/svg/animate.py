@@ -7,12 +7,13 @@ and only at as many keyframes as it needs.
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index
-from shapetween.frames import keyframes
+from shapetween.frames import LINEAR, Schedule, keyframes
 from shapetween.svg.numbers import number
 
 __all__ = ["Clock", "Loop", "animate", "animate_choice", "animate_number", "animate_transform"]
@@ -22,6 +23,9 @@ Loop: TypeAlias = Literal["once", "repeat", "alternate"]
 #: Decimals of a keyframe's time, a share of the whole: finer than a frame of any screen.
 TIME_DECIMALS = 5
 
+#: Decimals of an easing's handles, shares of the time between two keyframes.
+SPLINE_DECIMALS = 4
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Clock:
@@ -29,8 +33,8 @@ class Clock:
 
     Attributes
     ----------
-    times : (S,) float64
-        From 0, the start, to 1, the end of one way.
+    schedule : Schedule
+        For one way, from the start to the end.
     adaptive : bool
         Whether keyframes are chosen among the samples; else every sample is one.
     duration : float
@@ -39,7 +43,7 @@ class Clock:
         Stay at the end, start over, or go back and start over.
     """
 
-    times: Floats
+    schedule: Schedule
     adaptive: bool
     duration: float
     loop: Loop
@@ -48,17 +52,30 @@ class Clock:
         """Which of the samples (S, K, D) become keyframes."""
         if not self.adaptive:
             return np.arange(len(samples))
-        return keyframes(samples, self.times, tolerance)
+        time = self.schedule.time
+        parts = pairwise([0, *self.schedule.stops, len(time) - 1])
+        picks = [
+            start + keyframes(samples[start : end + 1], time[start : end + 1], tolerance)
+            for start, end in parts
+        ]
+        return np.unique(np.concatenate(picks))
 
-    def straight(self, times: Floats, values: Sequence[str]) -> dict[str, str]:
-        """Attributes that show each value at its time, way back included, and blend between."""
+    def straight(self, picks: Index, values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show each value at its sample, way back included, and blend between."""
+        times, splines = self.schedule.clock[picks], self.schedule.parts(picks)
         if self.loop == "alternate":
             times = np.concatenate([times / 2, 1 - times[-2::-1] / 2])
+            # Backwards a curve starts at its end, and both axes run the other way.
+            splines = np.concatenate([splines, 1 - splines[::-1, [2, 3, 0, 1]]])
             values = [*values, *values[-2::-1]]
-        return {"calcMode": "linear", **self._timing(times, values)}
+        timing = self._timing(times, values)
+        if self.schedule.handles == LINEAR:
+            return {"calcMode": "linear", **timing}
+        texts = [" ".join(number(v, SPLINE_DECIMALS) for v in row) for row in splines.tolist()]
+        return {"calcMode": "spline", "keySplines": ";".join(texts), **timing}
 
     def jumping(self, jumps: Floats, values: Sequence[str]) -> dict[str, str]:
-        """Attributes that show the first value, and from each of the jumps on the next."""
+        """Attributes that show the first value, and from each of some times on the next."""
         times = np.concatenate([[0.0], jumps])
         if self.loop == "alternate":
             times = np.concatenate([times / 2, 1 - jumps[::-1] / 2])
@@ -91,7 +108,7 @@ def animate(
         M of them; nothing is written if they are all the same.
     """
     if len(set(values)) > 1:
-        timing = clock.straight(clock.times[picks], values)
+        timing = clock.straight(picks, values)
         ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
 
 
@@ -115,7 +132,7 @@ def animate_transform(
             "attributeName": attribute,
             "type": kind,
             **({"additive": "sum"} if element.find("animateTransform") is not None else {}),
-            **clock.straight(clock.times[picks], values),
+            **clock.straight(picks, values),
         },
     )
 
@@ -141,5 +158,5 @@ def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Seq
     changes = [k for k in range(1, len(track)) if track[k] != track[k - 1]]
     if not changes:
         return
-    timing = clock.jumping(clock.times[changes], [track[k] for k in [0, *changes]])
+    timing = clock.jumping(clock.schedule.clock[changes], [track[k] for k in [0, *changes]])
     ET.SubElement(element, "animate", {"attributeName": attribute, **timing})

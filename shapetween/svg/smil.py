@@ -12,10 +12,9 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from shapetween.arrays import Floats
 from shapetween.drawing import Shape
 from shapetween.errors import OptionError
-from shapetween.frames import KEYFRAME_TOLERANCE, easing_function, even_times, sample_times
+from shapetween.frames import KEYFRAME_TOLERANCE, Schedule
 from shapetween.movement import Movement, Part
 from shapetween.svg.animate import Clock, Loop, animate
 from shapetween.svg.animate_style import animate_style
@@ -33,7 +32,7 @@ REDUCED_MOTION = (
 )
 
 
-#: Paint is looked at on every fourth step of the clock: it changes evenly, and slower than shapes.
+#: Paint is looked at on every fourth sample: it changes evenly, and slower than shapes.
 PAINT_STRIDE = 4
 
 #: A style's times are kept inside these, where it has all it needs on the way (a plain colour on
@@ -64,7 +63,7 @@ def smil_svg(
         Stay at the end, start over, or go back and start over.
     keyframes : "auto" or int
         By default as few as keep every point within a quarter of a pixel where the view box is
-        1000 px large; or a number of them, evenly spaced.
+        1000 px large; or a number of them, even along the easing.
     precision : int, optional
         Decimals of coordinates; by default about 1/10000 of the view box's larger side.
 
@@ -73,7 +72,7 @@ def smil_svg(
     OptionError
         If an option cannot be used; the message says what could.
     """
-    clock, time = _clock(duration, easing, loop, keyframes)
+    clock = _clock(duration, easing, loop, keyframes)
     size = max(movement.box.width, movement.box.height)
     gradients = GradientDefs(decimals_for(movement.box, precision))
 
@@ -83,35 +82,32 @@ def smil_svg(
     moving = ET.SubElement(root, "g", {"class": "shapetween-moving"})
     still = ET.SubElement(root, "g", {"class": "shapetween-still", "display": "none"})
     ids = named([part.name for part in movement.parts])
-    for part, shape, name in zip(movement.parts, movement.at(time[:1])[0].shapes, ids, strict=True):
-        _add_part(moving, part, time, clock, gradients, name, size * KEYFRAME_TOLERANCE)
+    for part, shape, name in zip(
+        movement.parts, movement.at(np.zeros(1))[0].shapes, ids, strict=True
+    ):
+        _add_part(moving, part, clock, gradients, name, size * KEYFRAME_TOLERANCE)
         add_shape(still, Shape(shape.rings, shape.style), gradients, {})
     if not len(gradients.element):
         root.remove(gradients.element)
     return text_of(root)
 
 
-def _clock(
-    duration: float, easing: str, loop: Loop, keyframes: Literal["auto"] | int
-) -> tuple[Clock, Floats]:
-    """The clock the options ask for, and the movement's time at each of its samples."""
+def _clock(duration: float, easing: str, loop: Loop, keyframes: Literal["auto"] | int) -> Clock:
+    """The clock the options ask for."""
     if not (math.isfinite(duration) and duration >= 1e-3):
         raise OptionError(f"duration {duration}: expected seconds, at least 0.001")
     if loop not in get_args(Loop):
         raise OptionError(f"loop {loop!r}: expected {', '.join(get_args(Loop))}")
     if keyframes == "auto":
-        times, movement_times = sample_times(easing)
-        return Clock(times, True, duration, loop), movement_times
+        return Clock(Schedule.of(easing), True, duration, loop)
     if keyframes < 2:
         raise OptionError(f"{keyframes} keyframes: expected 'auto' or at least 2")
-    times = even_times(keyframes)
-    return Clock(times, False, duration, loop), easing_function(easing)(times)
+    return Clock(Schedule.of(easing, keyframes), False, duration, loop)
 
 
 def _add_part(
     parent: ET.Element,
     part: Part,
-    time: Floats,
     clock: Clock,
     gradients: GradientDefs,
     name: dict[str, str],
@@ -119,16 +115,15 @@ def _add_part(
 ) -> None:
     """Write a part as an animated path, or as several that take turns where its kind of paint does.
 
-    `time` is the movement's at every sample of the clock.
+    `tolerance` is how far points may be off between two keyframes.
     """
-    stack = part.curves(time)
+    stack = part.curves(clock.schedule.time)
     picks = clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
     values = path_data(stack[picks], part.rings, part.closed, gradients.decimals)
-    stride = PAINT_STRIDE if clock.adaptive else 1
-    styles = [part.style(t) for t in np.clip(time[::stride], *INSIDE).tolist()]
-    slower = replace(clock, times=clock.times[::stride])
+    slower = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
+    styles = [part.style(t) for t in np.clip(slower.time, *INSIDE).tolist()]
     for track in style_tracks(styles):
         path = ET.SubElement(parent, "path", name if track.start == 0 else {})
-        animate_style(path, track, slower, gradients, tolerance)
+        animate_style(path, track, replace(clock, schedule=slower), gradients, tolerance)
         path.set("d", values[0])
         animate(path, "d", clock, picks, values)

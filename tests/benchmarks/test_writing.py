@@ -6,7 +6,7 @@ from pytest_benchmark.fixture import BenchmarkFixture
 
 from shapetween.arrays import Curves
 from shapetween.drawing import Box
-from shapetween.frames import KEYFRAME_TOLERANCE, keyframes, sample_times
+from shapetween.frames import KEYFRAME_TOLERANCE, Schedule, keyframes
 from shapetween.movement import Movement
 from shapetween.paint import Colour, Style
 from shapetween.svg.numbers import path_data
@@ -40,10 +40,10 @@ def test_path_data_of_60_frames(benchmark: BenchmarkFixture, curves: int) -> Non
 
 @pytest.mark.parametrize("curves", [20, 80, 320])
 def test_keyframes(benchmark: BenchmarkFixture, curves: int) -> None:
-    u, t = sample_times("ease-in-out")
-    samples = turning(curves).curves(t).reshape(len(t), -1, 2)
-    picks = benchmark(keyframes, samples, u, 100 * KEYFRAME_TOLERANCE)
-    assert 2 < len(picks) < len(u)
+    schedule = Schedule.of("ease-in-out")
+    samples = turning(curves).curves(schedule.time).reshape(len(schedule.time), -1, 2)
+    picks = benchmark(keyframes, samples, schedule.time, 100 * KEYFRAME_TOLERANCE)
+    assert 2 < len(picks) < len(samples)
 
 
 @pytest.mark.parametrize("curves", [20, 80, 320])
