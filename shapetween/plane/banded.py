@@ -7,15 +7,20 @@ its pattern. The pattern is prepared once and filled many times.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import cho_solve_banded, cholesky_banded
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-from shapetween.arrays import Floats, Index, Mask, Points
+from shapetween.arrays import Floats, Index, Mask
 
-__all__ = ["BandPattern", "BandSystem", "numbered"]
+__all__ = ["BandPattern", "BandSystem", "Complex", "numbered"]
+
+Complex: TypeAlias = NDArray[np.complex128]
+"""Points of the plane as complex numbers, x + iy."""
 
 
 def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
@@ -121,29 +126,34 @@ class BandSystem:
         bands = pattern.band(start), pattern.band(end)
         return cls(free, bands, total, border, corners, (start[border], end[border]))
 
-    def solver(self, t: Floats, points: Points) -> Callable[[Floats], Points]:
-        """Factorise at the times (F,), with known points from (F, V, 2).
+    def solver(self, t: Floats, points: Complex) -> Callable[[Complex], Complex]:
+        """Factorise at the times (F,), with known points from (F, V), as complex numbers.
 
         Returns
         -------
         callable
-            From the elements' parts of r, (F, E, K, 2), to all points, (F, V, 2).
+            From the elements' parts of r, (F, E, K), to all points, (F, V).
         """
+        start, end = self._bands
         factors = [
-            cholesky_banded((1 - s) * self._bands[0] + s * self._bands[1], lower=True) for s in t
+            cholesky_banded((1 - s) * start + s * end, lower=True, check_finite=False) for s in t
         ]
         time = t[:, None, None, None]
         blocks = (1 - time) * self._blocks[0] + time * self._blocks[1]
-        pull = blocks @ np.where(self._corners[..., None] >= 0, points[:, self._corners], 0)
+        held = np.where(self._corners >= 0, points[:, self._corners], 0)
+        pull = (blocks @ held[..., None])[..., 0]
 
-        def solve(parts: Floats) -> Points:
+        def solve(parts: Complex) -> Complex:
+            frames, count, corners = parts.shape
+            parts = parts.copy()
             parts[:, self._border] -= pull
-            frames, _, _, axes = parts.shape
-            flat = np.moveaxis(parts, 0, 2).reshape(-1, frames * axes)
-            right = np.asarray(self._sum @ flat).reshape(-1, frames, axes)
+            flat = np.ascontiguousarray(np.moveaxis(parts, 0, 2)).view(np.float64)
+            right = np.asarray(self._sum @ flat.reshape(count * corners, 2 * frames))
             solved = points.copy()
             for frame, factor in enumerate(factors):
-                solved[frame, self.free] = cho_solve_banded((factor, True), right[:, frame])
+                two = right[:, 2 * frame : 2 * frame + 2]
+                solution = cho_solve_banded((factor, True), two, check_finite=False)
+                solved[frame, self.free] = np.ascontiguousarray(solution).view(np.complex128)[:, 0]
             return solved
 
         return solve

@@ -26,11 +26,10 @@ from numpy.typing import ArrayLike
 from shapetween.arrays import Floats, Index, Points, times
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
-from shapetween.plane.banded import BandSystem
+from shapetween.plane.banded import BandSystem, Complex
 from shapetween.plane.jacobians import (
     gradients,
     jacobians,
-    polar_angles,
     polar_path,
     spread_angles,
 )
@@ -148,35 +147,42 @@ class PlaneMotion:
     def vertices(self, t: ArrayLike) -> Points:
         """Vertices at the times (F,), in user units, (F, V, 2); the mesh's own at 0 and 1."""
         mesh, t = self.mesh, times(t)
-        time, body = t[:, None, None], mesh.body.at(t)
-        linear = (1 - time) * self._ends[0] + time * self._ends[1]
+        time, body = t[:, None], mesh.body.at(t)
+        source, target = _complex(self._ends[0]), _complex(self._ends[1])
+        linear = (1 - time) * source + time * target
         at = linear.copy()
-        at[:, mesh.frame] = self._ends[0][mesh.frame] @ np.swapaxes(body, 1, 2)
+        at[:, mesh.frame] = _complex(self._ends[0][mesh.frame] @ np.swapaxes(body, 1, 2))
         solve = self._system.solver(t, at)
-        pulls = (1 - time[..., None]) * self._pulls[0] + time[..., None] * self._pulls[1]
-        blend = BLEND_WEIGHT * _UNIFORM @ linear[:, mesh.triangles[mesh.turned]]
-        first = self._wanted(t)
-        prior = PRIOR * self._norms(first, t)[..., None, None] * np.eye(2)
-        wanted, grown = first, np.ones(len(t))
+        wanted = self._wanted(t)
+        pulls = (1 - t)[:, None, None, None] * self._pulls[0]
+        pulls += t[:, None, None, None] * self._pulls[1]
+        # What a triangle adds to the right side if its rotation stays as wanted; any other one
+        # turns this, and the sum over its corners of x times the conjugate tells which fits.
+        forces = _complex(pulls @ np.swapaxes(wanted, 2, 3))
+        blend = (BLEND_WEIGHT * linear[:, mesh.triangles[mesh.turned]]) @ _UNIFORM
+        prior = PRIOR * self._norms(wanted, t)
         lengths, areas = self._edges.lengths(body, t), self._areas(body, t)
-        edges = first_edges = _directed(self._edges.directions(first, t), lengths)
+        wanted_edges = lengths * _unit(self._edges.directions(wanted, t))
+        turns = np.ones_like(forces[..., 0])
+        grown, edges = np.ones(len(t)), wanted_edges
         for step in range(1 + ROUNDS):
             if step:
-                moved = np.swapaxes(at[:, mesh.triangles], 2, 3) @ pulls
-                fit = rotations(polar_angles(moved @ np.swapaxes(first, 2, 3) + prior))
-                lack = areas / np.maximum(mesh.area(at), LEAST_AREA * areas)
-                grown = grown * np.sqrt(lack)
-                wanted = np.where(mesh.inside, grown[:, None], 1)[..., None, None] * (fit @ first)
-                edges = _directed(self._edges.between(at) + EDGE_PRIOR * first_edges, lengths)
-            parts = pulls @ np.swapaxes(wanted, 2, 3)
+                turns = _unit(
+                    np.einsum("ftk,ftk->ft", at[:, mesh.triangles], forces.conj()) + prior
+                )
+                real = np.stack([at.real, at.imag], axis=-1)
+                grown = grown * np.sqrt(areas / np.maximum(mesh.area(real), LEAST_AREA * areas))
+                turns = turns * np.where(mesh.inside, grown[:, None], 1)
+                edges = lengths * _unit(self._edges.between(at) + EDGE_PRIOR * wanted_edges)
+            parts = turns[..., None] * forces
             parts[:, mesh.turned] = blend
             at = solve(np.concatenate([parts, self._edges.parts(edges)], axis=1))
-        source, target = mesh.poses
-        size = (1 - t) * source.size + t * target.size
-        centre = (1 - t)[:, None] * source.centre + t[:, None] * target.centre
-        at = at * size[:, None, None] + centre[:, None]
-        at[t == 0], at[t == 1] = mesh.source, mesh.target  # but for rounding, they are there
-        return at
+        result = np.stack([at.real, at.imag], axis=-1)
+        sizes, centres = zip(*((pose.size, pose.centre) for pose in mesh.poses), strict=True)
+        result *= ((1 - t) * sizes[0] + t * sizes[1])[:, None, None]
+        result += ((1 - time) * centres[0] + time * centres[1])[:, None]
+        result[t == 0], result[t == 1] = mesh.source, mesh.target  # so they are, but for rounding
+        return result
 
     def _norms(self, wanted: Floats, t: Floats) -> Floats:
         """What the energy of each triangle would be if nothing moved, (F, T)."""
@@ -184,7 +190,7 @@ class PlaneMotion:
         at_target = ((wanted @ np.linalg.inv(self._jacobians)) ** 2).sum((2, 3))
         time = t[:, None]
         from_source, from_target = self._weights
-        return np.asarray((1 - time) * from_source * at_source + time * from_target * at_target) / 2
+        return np.asarray((1 - time) * from_source * at_source + time * from_target * at_target)
 
     def _areas(self, body: Floats, t: Floats) -> Floats:
         """Wanted area of all outlines, (F,): its root goes straight, but for the body's motion."""
@@ -254,15 +260,15 @@ class _Edges:
             mesh.body.matrix,
         )
 
-    def between(self, points: Points) -> Floats:
-        """The edges as vectors between moving points (F, V, 2), (F, N, 2)."""
-        return np.asarray(points[:, self.elements[:, 1]] - points[:, self.elements[:, 0]])
+    def between(self, points: Complex) -> Complex:
+        """The edges between moving points (F, V), (F, N)."""
+        return points[:, self.elements[:, 1]] - points[:, self.elements[:, 0]]
 
-    def directions(self, wanted: Floats, t: Floats) -> Floats:
-        """The edges as the wanted Jacobians (F, T, 2, 2) beside them turn them, (F, N, 2)."""
-        by_angle = rotations(t[:, None] * np.nan_to_num(self.angles))
-        turns = np.where(np.isnan(self.angles)[:, None, None], wanted[:, self.beside], by_angle)
-        return np.asarray((turns @ self.start[..., None])[..., 0])
+    def directions(self, wanted: Floats, t: Floats) -> Complex:
+        """The edges as the wanted Jacobians (F, T, 2, 2) beside them turn them, (F, N)."""
+        by_angle = np.exp(1j * t[:, None] * np.nan_to_num(self.angles)) * _complex(self.start)
+        by_jacobian = _complex((wanted[:, self.beside] @ self.start[..., None])[..., 0])
+        return np.where(np.isnan(self.angles), by_jacobian, by_angle)
 
     def lengths(self, whole: Floats, t: Floats) -> Floats:
         """Wanted lengths (F, N): straight between the ends, but for the motion of the whole.
@@ -277,16 +283,21 @@ class _Edges:
             + t[:, None] * np.linalg.norm(self.end @ np.swapaxes(whole @ back, 1, 2), axis=2)
         )
 
-    def parts(self, wanted: Floats) -> Floats:
-        """What wanted edges (F, N, 2) add to the right side, (F, N, 3, 2)."""
-        pull = self.blocks[:, 0, 0, None] * wanted
+    def parts(self, wanted: Complex) -> Complex:
+        """What wanted edges (F, N) add to the right side, (F, N, 3)."""
+        pull = self.blocks[:, 0, 0] * wanted
         return np.stack([-pull, pull, np.zeros_like(pull)], axis=2)
 
 
-def _directed(vectors: Floats, lengths: Floats) -> Floats:
-    """Vectors (F, N, 2) brought to given lengths (F, N)."""
-    size = np.linalg.norm(vectors, axis=2)
-    return np.asarray(vectors * (lengths / np.where(size > 0, size, 1))[..., None])
+def _complex(points: Points) -> Complex:
+    """Points (..., 2) as complex numbers, (...,)."""
+    return np.ascontiguousarray(points).view(np.complex128)[..., 0]
+
+
+def _unit(numbers: Complex) -> Complex:
+    """Numbers of absolute value 1, or 0, with the same direction."""
+    size = np.abs(numbers)
+    return np.asarray(numbers / np.where(size > 0, size, 1))
 
 
 def _edge_angles(start: Floats, end: Floats, near: Floats) -> Floats:

@@ -42,13 +42,14 @@ def test_a_system_with_known_points_is_solved(chain: tuple[np.ndarray, np.ndarra
     start = np.concatenate([start, np.ones((1, 3, 3))])
     end, fixed = 2 * start[::-1] + np.eye(3), np.arange(20) < 3
     random = np.random.default_rng(1)
-    points, parts = random.normal(size=(2, 20, 2)), random.normal(size=(2, 19, 3, 2))
+    points = random.normal(size=(2, 20)) + 1j * random.normal(size=(2, 20))
+    parts = random.normal(size=(2, 19, 3)) + 1j * random.normal(size=(2, 19, 3))
     t = np.array([0.0, 0.3])
     system = BandSystem.of(elements, fixed, start, end)
-    solved = system.solver(t, points)(parts.copy())
+    solved = system.solver(t, points)(parts)
     for frame, s in enumerate(t):
         matrix = _dense(elements, (1 - s) * start + s * end, 20)
-        right = np.zeros((20, 2))
+        right = np.zeros(20, dtype=np.complex128)
         for corners, part in zip(elements, parts[frame], strict=True):
             used = corners >= 0
             right[corners[used]] += part[used]
