@@ -16,7 +16,7 @@ from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.jsonfile import check_keys, parse, real, rows
 from shapetween.mesh import MeshPair
 
-__all__ = ["check_mesh", "dump_meshes", "load_meshes"]
+__all__ = ["check_faces", "check_mesh", "dump_meshes", "load_meshes"]
 
 #: How far a node on the boundary may be from the outline, as a share of the outline's diagonal.
 #: Smaller refuses nodes placed by eye; larger takes a mesh that was made for another shape.
@@ -138,8 +138,7 @@ def check_mesh(pair: MeshPair, source_polygon: Points, target_polygon: Points) -
     Faces that all run clockwise inside a simple boundary cannot overlap, nor leave a gap: each
     point is covered as often as the boundary winds around it, which is once.
     """
-    for side, points in (("source", pair.source), ("target", pair.target)):
-        _check_faces(pair, side, points)
+    check_faces(pair)
     cycle = _boundary(pair)
     sides = (
         ("source", pair.source, source_polygon),
@@ -150,8 +149,19 @@ def check_mesh(pair: MeshPair, source_polygon: Points, target_polygon: Points) -
     return cycle
 
 
-def _check_faces(pair: MeshPair, side: str, points: Points) -> None:
-    """All faces clockwise, all quads convex."""
+def check_faces(pair: MeshPair) -> None:
+    """Check that every face runs clockwise as drawn at both ends, and every quad is convex there.
+
+    Raises
+    ------
+    MeshError
+        What is wrong, and with which face.
+    """
+    for side, points in (("source", pair.source), ("target", pair.target)):
+        _check_side(pair, side, points)
+
+
+def _check_side(pair: MeshPair, side: str, points: Points) -> None:
     for kind, faces in (("triangle", pair.triangles), ("quad", pair.quads)):
         corners = points[faces]
         backward = np.flatnonzero(polygon_area(corners) <= 0)
