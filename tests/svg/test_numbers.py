@@ -72,9 +72,9 @@ def test_every_number_is_as_short_as_it_can_be(
 
 
 def test_numbers_are_parted_by_what_they_are_made_of() -> None:
-    points = [[0.5, 0.25], [-0.5, 10.0], [0.001, 100.0], [-0.001, 12.75]]
+    points = [[0.5, 0.25], [-0.5, 10.0], [0.75, 100.0], [-0.001, 12.75]]
     curve = np.array(points).reshape(1, 1, 4, 2)
-    assert path_data(curve, [1], [False], 2) == ("M.5.25C-.5 10 0 100 0 12.75",)
+    assert path_data(curve, [1], [False], 2) == ("M.5.25C-.5 10 .75 100 0 12.75",)
 
 
 def test_open_and_closed_rings_side_by_side() -> None:

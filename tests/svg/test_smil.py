@@ -119,6 +119,14 @@ def test_loops_say_when(loop: Loop) -> None:
             assert attributes["keyTimes"] == "0;.5;1"
 
 
+def test_the_way_back_eases_as_the_way_there_seen_backwards() -> None:
+    text = smil_svg(sample_movement(), easing="ease-in", loop="alternate", keyframes=2)
+    element = moving_paths(ET.fromstring(text))[1].find(f"{SVG}animate[@attributeName='d']")
+    assert element is not None
+    assert element.attrib["calcMode"] == "spline"
+    assert element.attrib["keySplines"] == ".42 0 1 1;0 0 .58 1"
+
+
 def test_a_twin_stands_still_for_those_who_ask() -> None:
     text = smil_svg(sample_movement(Style(STRIPES), Style(Colour(1, 0, 0))))
     root = ET.fromstring(text)
