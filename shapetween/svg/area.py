@@ -22,7 +22,7 @@ from shapetween.paint import FillRule, Stroke
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-__all__ = ["MOST_POINTS", "Chords", "filled_area", "stroked_area"]
+__all__ = ["Chords", "filled_area", "stroked_area"]
 
 #: Chords one curve is cut into. More makes a cut more exact and slower; with 32, a quarter circle
 #: is off by 0.03 % of its radius, as its cubic is.
@@ -31,8 +31,12 @@ CHORDS = 32
 #: Distance of handles from a chord over its length, below which the curve is the chord.
 STRAIGHT = 1e-9
 
-#: Points of one shape that are still cut; a coast line under a clip would take minutes.
-MOST_POINTS = 50_000
+#: Edges whose boxes meet, for each edge, up to which an outline that is not simple is cut where it
+#: crosses itself. Drawn shapes have a handful; scribbles with more would take minutes.
+MOST_MEETINGS = 50
+
+#: Edges of which the meetings are counted.
+SAMPLED_EDGES = 200
 
 #: Points times edges whose winding is found at once; more takes memory, less takes time.
 WINDING_BATCH = 4_000_000
@@ -146,7 +150,7 @@ def _straight(curves: Curves) -> Mask:
     return np.asarray((across <= STRAIGHT * size) & within)
 
 
-def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry:
+def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry | None:
     """The area that rings fill together.
 
     Parameters
@@ -154,6 +158,11 @@ def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry:
     polylines : sequence of (N, 2) float64
         An open one is closed by a line, as a fill is.
     rule : {"nonzero", "evenodd"}
+
+    Returns
+    -------
+    geometry or None
+        None if the rings cross so often that cutting them would take too long.
     """
     import shapely
 
@@ -164,16 +173,29 @@ def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry:
         polygon = shapely.Polygon(closed[0])
         if polygon.is_valid:
             return polygon
+    starts = np.concatenate([line[:-1] for line in closed])
+    ends = np.concatenate([line[1:] for line in closed])
+    if _meetings(starts, ends) > MOST_MEETINGS:
+        return None
     nodes = shapely.union_all([shapely.LineString(line) for line in closed])
     faces = shapely.get_parts(shapely.polygonize([nodes]))
     if not len(faces):
         return shapely.Polygon()
     inside = shapely.get_coordinates(shapely.point_on_surface(faces))
-    starts = np.concatenate([line[:-1] for line in closed])
-    ends = np.concatenate([line[1:] for line in closed])
     turns = _windings(inside, starts, ends)
     kept = turns % 2 == 1 if rule == "evenodd" else turns != 0
     return shapely.union_all(faces[kept])
+
+
+def _meetings(starts: Points, ends: Points) -> float:
+    """How many edges' boxes an edge's box meets in the mean, from a sample of the edges."""
+    import shapely
+
+    least, greatest = np.minimum(starts, ends), np.maximum(starts, ends)
+    boxes = shapely.box(*least.T, *greatest.T)
+    sample = boxes[:: max(1, len(boxes) // SAMPLED_EDGES)]
+    found = shapely.STRtree(boxes).query(sample)
+    return float(found.shape[1] / len(sample))
 
 
 def _windings(points: Points, starts: Points, ends: Points) -> Index:
@@ -192,10 +214,14 @@ def _windings(points: Points, starts: Points, ends: Points) -> Index:
 
 def stroked_area(
     polylines: Sequence[Points], closed: Sequence[bool], stroke: Stroke
-) -> BaseGeometry:
-    """The area that a stroke paints, its dashes left aside."""
+) -> BaseGeometry | None:
+    """The area that a stroke paints, its dashes left aside; None as for `filled_area`."""
     import shapely
 
+    starts = np.concatenate([line[:-1] for line in polylines])
+    ends = np.concatenate([line[1:] for line in polylines])
+    if _meetings(starts, ends) > MOST_MEETINGS:
+        return None
     lines = []
     for points, ring in zip(polylines, closed, strict=True):
         if (points == points[0]).all():

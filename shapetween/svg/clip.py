@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import sqrt
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
@@ -15,7 +16,7 @@ import numpy as np
 
 from shapetween.drawing import Shape
 from shapetween.paint import Style
-from shapetween.svg.area import MOST_POINTS, Chords, filled_area, stroked_area
+from shapetween.svg.area import Chords, filled_area, stroked_area
 from shapetween.svg.document import Document
 from shapetween.svg.figure import rings_of, subpaths_of
 from shapetween.svg.painting import fill_rule
@@ -30,9 +31,14 @@ if TYPE_CHECKING:
 
 __all__ = ["Clipper"]
 
+LOST_CROSSING = "a shape that crosses itself too often was not clipped, or did not clip"
+
 #: Share of a shape's area that a clip must hide to count as cutting it: edges that coincide, as
 #: in drawings exported with their frame as a clip, differ by rounding.
 LEAST_CUT = 1e-5
+
+#: What cutting takes besides its points, as a number of points.
+CLIP_WORK = 20
 
 #: Clip paths that clip clip paths; more is taken for a circle.
 MOST_NESTED = 8
@@ -48,7 +54,9 @@ class Clipper:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._regions: dict[tuple[object, ...], BaseGeometry | None] = {}
+        self._regions: dict[object, BaseGeometry | None] = {}
+        # By the ids of the regions, which the dictionary above keeps alive.
+        self._commons: dict[tuple[int, ...], BaseGeometry] = {}
 
     def clipped(self, shape: Shape, clips: Sequence[Clip]) -> list[Shape]:
         """What clips leave of a shape: itself, nothing, its parts.
@@ -60,16 +68,17 @@ class Clipper:
         clips : sequence of Clip
         """
         region = self._common(clips)
-        if region is None or self._is_inside(shape, region):
+        if region is None:
             return [shape]
-        if region.is_empty:
+        box = self._painted_box(shape)
+        if region.contains(box):
+            return [shape]
+        if not region.intersects(box):
             return []
         stroke = shape.style.stroke
         chords = Chords(shape.rings)
-        if chords.count > MOST_POINTS:
-            self._document.losses.add("a shape of too many points was not clipped")
-            return [shape]
-        layers: list[tuple[BaseGeometry, Shape]] = []
+        self._document.spend("clip_points", chords.count + CLIP_WORK)
+        layers = []
         if shape.style.fill is not None:
             filled = replace(shape, style=replace(shape.style, stroke=None))
             layers.append((filled_area(chords.polylines, shape.style.fill_rule), filled))
@@ -77,51 +86,60 @@ class Clipper:
             closed = [ring.closed for ring in shape.rings]
             drawn = replace(shape, style=replace(shape.style, fill=stroke.paint, stroke=None))
             layers.append((stroked_area(chords.polylines, closed, stroke), drawn))
-        left = [area.intersection(region) for area, _ in layers]
-        whole = sum(area.area for area, _ in layers)
-        if sum(area.area for area in left) >= (1 - LEAST_CUT) * whole:
+        parts = []
+        whole = shown = 0.0
+        for area, part in layers:
+            if area is None:
+                self._document.losses.add(LOST_CROSSING)
+                return [shape]
+            left = area.intersection(region)
+            whole += area.area
+            shown += left.area
+            if left.area > LEAST_CUT * area.area:
+                style = replace(part.style, fill_rule="evenodd")
+                parts.append(replace(part, rings=chords.rings(left), style=style))
+        if shown >= (1 - LEAST_CUT) * whole:
             return [shape]
         if stroke is not None and stroke.dashes:
             self._document.losses.add("a dashed stroke was clipped as a solid one")
-        parts = []
-        for area, (_, part) in zip(left, layers, strict=True):
-            if area.area > LEAST_CUT * whole:
-                rings = chords.rings(area)
-                parts.append(
-                    replace(part, rings=rings, style=replace(part.style, fill_rule="evenodd"))
-                )
-        return parts
+        return [part for part in parts if part.rings]
 
     @staticmethod
-    def _is_inside(shape: Shape, region: BaseGeometry) -> bool:
-        """Whether the box around all control points shows that nothing is cut."""
+    def _painted_box(shape: Shape) -> BaseGeometry:
+        """A box that holds all control points and the stroke around them."""
         import shapely
 
         points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
         stroke = shape.style.stroke
         margin = 0.0
         if stroke is not None:
-            reach = stroke.miter_limit if stroke.join == "miter" else 1.5  # a square cap's corner
-            margin = stroke.width / 2 * max(reach, 1.5)
+            corner = stroke.miter_limit if stroke.join == "miter" else 1.0
+            margin = stroke.width / 2 * max(corner, sqrt(2))  # as a square cap reaches
         least, greatest = points.min(axis=0) - margin, points.max(axis=0) + margin
-        return bool(region.contains(shapely.box(*least, *greatest)))
+        return shapely.box(*least, *greatest)
 
     def _common(
         self, clips: Sequence[Clip], within: tuple[Element, ...] = ()
     ) -> BaseGeometry | None:
         """What all clips show; None if they hide nothing."""
-        common = None
-        for clip in clips:
-            region = self._region(clip, within)
-            if region is not None:
-                common = region if common is None else common.intersection(region)
-        return common
+        import shapely
+
+        regions = [region for clip in clips if (region := self._region(clip, within)) is not None]
+        if not regions:
+            return None
+        key = tuple(map(id, regions))
+        if key not in self._commons:
+            common = shapely.intersection_all(regions)
+            shapely.prepare(common)
+            self._commons[key] = common
+        return self._commons[key]
 
     def _region(self, clip: Clip, within: tuple[Element, ...]) -> BaseGeometry | None:
         import shapely
 
         if clip.corners is not None:
-            return shapely.Polygon(clip.corners)
+            corners = clip.corners.tobytes()
+            return self._regions.setdefault(corners, shapely.Polygon(clip.corners))
         assert clip.element is not None  # a clip has either
         base = self._base(clip)
         if base is None:
@@ -167,15 +185,19 @@ class Clipper:
                 if placed.frame.properties.get("visibility", "visible") != "visible":
                     continue
                 area = self._area(placed)
+                if area is None:
+                    self._document.losses.add(LOST_CROSSING)
+                    return None
                 own = self._common(placed.frame.clips, within)
                 areas.append(area if own is None else area.intersection(own))
         region = shapely.union_all(areas)
         outer = self._common(inner.clips if inner is not None else (), within)
         return region if outer is None else region.intersection(outer)
 
-    def _area(self, placed: Placed) -> BaseGeometry:
+    def _area(self, placed: Placed) -> BaseGeometry | None:
         """What one element of a clip path covers."""
         subpaths = subpaths_of(self._document, placed)
         rings = rings_of(self._document, placed, subpaths, Style())
         lines = Chords(rings).polylines if rings else []
+        self._document.spend("clip_points", sum(map(len, lines)) + CLIP_WORK)
         return filled_area(lines, fill_rule(placed.frame.properties, "clip-rule"))

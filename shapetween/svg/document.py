@@ -76,7 +76,8 @@ class Document:
         self.limits = limits
         self.losses = Losses()
         self.root, warnings = parse_xml(data, name, limits)
-        self.cascade = Cascade(self.root, name, limits)
+        self._spent: Counter[str] = Counter()
+        self.cascade = Cascade(self.root, self.spend)
         for warning in (*warnings, *self.cascade.warnings):
             self.losses.add(warning)
         self.ids: dict[str, Element] = {}
@@ -86,7 +87,6 @@ class Document:
                 self.ids.setdefault(identity, element)
         self.geometry: dict[tuple[Element, Viewport], PathData] = {}
         self._parents: dict[Element, Element] | None = None
-        self._spent: Counter[str] = Counter()
 
     def spend(self, limit: str, amount: int = 1) -> None:
         """Use up some of a budget.

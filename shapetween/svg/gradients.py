@@ -24,6 +24,9 @@ GRADIENTS = frozenset({"linearGradient", "radialGradient"})
 #: Gradients that refer to gradients; more is taken for a circle.
 MOST_REFERENCES = 16
 
+#: Stops of a gradient that are read: as many as there are steps of a colour.
+MOST_STOPS = 256
+
 _BLACK = Colour()
 
 
@@ -134,7 +137,9 @@ def _stops(document: Document, chain: list[Element], alpha: float) -> tuple[Stop
         inherited = document.cascade.properties(link, {})
         stops = []
         reached = 0.0
-        for element in elements:
+        if len(elements) > MOST_STOPS:
+            document.losses.add("a gradient of too many stops was cut short")
+        for element in elements[:MOST_STOPS]:
             properties = document.cascade.properties(element, inherited)
             offset = number(element.get("offset"))
             reached = max(reached, min(1.0, max(0.0, offset or 0.0)))

@@ -27,21 +27,28 @@ class Limits:
     entity_growth : int
         Characters by which entities may lengthen the text, beyond doubling it.
     path_commands : int
-        Drawing commands of all shapes, counted again for every ``use``.
+        Commands of all path data, and of shapes as paths, counted again for every ``use``.
     use_copies : int
         Elements that ``use`` draws again.
-    style_tests : int
-        Rules of all style sheets, times the elements they are matched with.
+    style_characters : int
+        Characters of style sheets, and of the ``style`` attributes that need a CSS parser.
+    style_steps : int
+        Steps of matching style sheets: selectors tested, and elements passed on the way to a
+        sibling or an ancestor.
+    clip_points : int
+        Points of shapes that clip paths cut, and of the clip paths.
     """
 
     file_bytes: int = 32_000_000
-    unpacked_bytes: int = 64_000_000
+    unpacked_bytes: int = 32_000_000
     elements: int = 30_000
     nesting: int = 256
     entity_growth: int = 100_000
     path_commands: int = 80_000
     use_copies: int = 10_000
-    style_tests: int = 5_000_000
+    style_characters: int = 500_000
+    style_steps: int = 1_000_000
+    clip_points: int = 200_000
 
     def check(self, limit: str, amount: int, name: str) -> None:
         """Refuse an amount beyond one of the limits.

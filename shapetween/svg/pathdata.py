@@ -95,7 +95,7 @@ class PathData:
     ----------
     subpaths : tuple of Subpath
     commands : int
-        Drawing commands read.
+        Commands read, counting every set of arguments.
     problem : str
         Where and why reading stopped early; empty if it did not.
     """
@@ -152,6 +152,9 @@ def parse_path_data(text: str, most: int) -> PathData:
 
     try:
         for run in _runs(text, most):
+            commands += max(1, len(run.arguments))
+            if commands > most:
+                break
             if run.letter == "M":
                 finish(closed=False)
                 start, *_ = run.ends(current)
@@ -165,9 +168,6 @@ def parse_path_data(text: str, most: int) -> PathData:
             else:
                 pending.append(run)
             *_, current = run.ends(current)
-            commands += len(run.arguments)
-            if commands > most:
-                break
     except _Stopped as stopped:
         problem = str(stopped)
     finish(closed=False)

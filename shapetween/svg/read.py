@@ -29,7 +29,7 @@ DEFAULT_SIZE = (300.0, 150.0)
 
 #: Shapes in a translucent group up to which overlaps are looked for; in larger groups some
 #: overlap is taken for granted.
-MOST_COMPARED = 2000
+MOST_COMPARED = 500
 
 
 def read_svg(data: bytes, name: str, limits: Limits | None = None) -> Drawing:

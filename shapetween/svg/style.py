@@ -5,15 +5,14 @@ marked important, then inheritance (*CSS Cascading and Inheritance Level 4*, sec
 """
 
 import re
-from collections.abc import Mapping
-from functools import lru_cache
-from typing import Any
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial
+from typing import Any, TypeAlias
 from xml.etree.ElementTree import Element
 
 import tinycss2
 
 from shapetween.svg.colours import parse_paint
-from shapetween.svg.limits import Limits
 from shapetween.svg.shapes import GEOMETRY
 from shapetween.svg.xml import local_name
 
@@ -72,7 +71,18 @@ MET_QUERIES = frozenset(
     {"all", "screen", "(prefers-color-scheme:light)", "(prefers-reduced-motion:no-preference)"}
 )
 
-_Declaration = tuple[str, str, bool]
+#: Properties of one element that may be custom ones; each is copied to everything inside it.
+MOST_PROPERTIES = 200
+
+#: Characters of a paint or of a transform that are read; what somebody drew has a few dozen.
+MOST_CHARACTERS = 10_000
+
+#: Declarations in which no character but brackets means anything to CSS: drawing programs write
+#: them by the thousand, each unlike the next, and a whole CSS parser would take most of the time.
+_PLAIN = re.compile(r"""(?:[^-"'()\\/{}!@\[\]]|-(?!-)|\([^"'()\\/{}!@;\[\]]*\))*+""")
+
+Spend: TypeAlias = Callable[[str, int], None]
+_Declaration: TypeAlias = tuple[str, str, bool]
 
 
 class Cascade:
@@ -81,9 +91,8 @@ class Cascade:
     Parameters
     ----------
     root : Element
-    name : str
-        The file, for messages.
-    limits : Limits
+    spend : callable
+        Uses up some of a budget.
 
     Attributes
     ----------
@@ -91,7 +100,7 @@ class Cascade:
         What in the style sheets could not be followed.
     """
 
-    def __init__(self, root: Element, name: str, limits: Limits) -> None:
+    def __init__(self, root: Element, spend: Spend) -> None:
         self.warnings: list[str] = []
         sheets = [
             "".join(element.itertext())
@@ -101,9 +110,12 @@ class Cascade:
             and _media_met(element.get("media", ""))
         ]
         self._matched: dict[Element, list[_Declaration]] = {}
+        inline = {each.get("style", "") for each in root.iter()}
+        involved = (text for text in inline if not _PLAIN.fullmatch(text))
+        spend("style_characters", sum(map(len, sheets)) + sum(map(len, involved)))
         if any(sheet.strip() for sheet in sheets):
             try:
-                self._match(root, "\n".join(sheets), name, limits)
+                self._match(root, "\n".join(sheets), spend)
             except RecursionError:
                 self._matched.clear()
                 self.warnings.append("its style sheet is nested too deeply and was left out")
@@ -135,9 +147,13 @@ class Cascade:
             for name, value in parent.items()
             if name in INHERITED or name.startswith("--")
         }
-        computed.update((k, v) for k, v in own.items() if k.startswith("--"))
         for name, value in own.items():
-            if "var(" in value and not name.startswith("--"):
+            if name.startswith("--") and len(computed) < MOST_PROPERTIES:
+                computed[name] = value
+        for name, value in own.items():
+            if name.startswith("--"):
+                continue
+            if "var(" in value:
                 resolved = _with_variables(value, computed)
                 if resolved is None or not _valid(name, resolved):
                     continue
@@ -152,33 +168,20 @@ class Cascade:
                 computed[name] = value
         return computed
 
-    def _match(self, root: Element, sheet: str, name: str, limits: Limits) -> None:
-        import cssselect2
+    def _match(self, root: Element, sheet: str, spend: Spend) -> None:
+        from shapetween.svg.selectors import compile_selectors, matches
 
-        matcher = cssselect2.Matcher()
-        rules = 0
+        rules = []
         for rule in self._rules(sheet):
-            try:
-                selectors = cssselect2.compile_selector_list(rule.prelude)
-            except cssselect2.SelectorError:
+            selectors = compile_selectors(rule.prelude)
+            if selectors is None:
                 self._warn("some selectors of its style sheet are not understood")
                 continue
             declarations = _parsed(rule.content)
-            for selector in selectors:
-                if selector.pseudo_element is None:
-                    matcher.add_selector(selector, declarations)
-                    rules += 1
-        if not rules:
-            return
-        elements = sum(1 for _ in root.iter())
-        limits.check("style_tests", rules * elements, name)
-        for wrapper in cssselect2.ElementWrapper.from_xml_root(root).iter_subtree():
-            found = matcher.match(wrapper)
-            if found:
-                found.sort(key=lambda match: match[:2])  # specificity, then order
-                self._matched[wrapper.etree_element] = [
-                    declaration for *_, payload in found for declaration in payload
-                ]
+            rules += [(selector, declarations) for selector in selectors]
+        for element, found in matches(root, rules, partial(spend, "style_steps")):
+            self._matched[element] = [declaration for each in found for declaration in each]
+            spend("style_steps", len(self._matched[element]))
 
     def _rules(self, sheet: str) -> list[Any]:
         """Qualified rules of a sheet, with those of the media that apply."""
@@ -218,7 +221,10 @@ def _media_met(query: str) -> bool:
 @lru_cache(maxsize=4096)
 def _declarations(text: str) -> tuple[_Declaration, ...]:
     """Declarations of a ``style`` attribute."""
-    return _parsed(text) if text else ()
+    if not _PLAIN.fullmatch(text):
+        return _parsed(text)
+    pairs = (part.partition(":") for part in text.split(";") if ":" in part)
+    return tuple((name.strip().lower(), value.strip(), False) for name, _, value in pairs)
 
 
 def _parsed(content: Any) -> tuple[_Declaration, ...]:
@@ -238,9 +244,10 @@ def _parsed(content: Any) -> tuple[_Declaration, ...]:
         return ()
 
 
-@lru_cache(maxsize=4096)
 def _valid(name: str, value: str) -> bool:
     """Whether a value can override another: a paint that cannot be parsed may not."""
+    if len(value) > MOST_CHARACTERS and name != "d":
+        return False
     if name not in PAINTS or "var(" in value:
         return True
     if value.lower() in ("inherit", "initial", "unset", "revert"):

@@ -19,6 +19,9 @@ __all__ = ["IDENTITY", "affine", "apply", "compose", "mean_scale", "parse_transf
 NUMBER = r"(?>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
 ANGLE_UNITS = {"": 1.0, "deg": 1.0, "grad": 0.9, "turn": 360.0, "rad": 180 / np.pi}
 
+#: Functions of one list that are read; more were not written by anybody.
+MOST_FUNCTIONS = 1000
+
 _FUNCTION = re.compile(r"\s*,?\s*([A-Za-z]+)\s*\(([^()]*)\)", re.ASCII)
 _ARGUMENT = re.compile(rf"\s*,?\s*({NUMBER})(deg|grad|rad|turn|px)?\s*", re.ASCII)
 
@@ -95,8 +98,8 @@ def parse_transform(text: str) -> Affine | None:
         return IDENTITY
     matrix = IDENTITY
     position = 0
-    for found in _FUNCTION.finditer(text):
-        if found.start() != position:
+    for count, found in enumerate(_FUNCTION.finditer(text)):
+        if found.start() != position or count == MOST_FUNCTIONS:
             return None
         position = found.end()
         step = _function(found[1].lower(), found[2])

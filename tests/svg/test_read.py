@@ -423,9 +423,9 @@ def test_path_commands_meet_a_budget_across_shapes() -> None:
 
 
 def test_style_sheets_meet_a_budget() -> None:
-    with pytest.raises(BudgetError, match="style tests"):
+    with pytest.raises(BudgetError, match="style steps"):
         read(
-            f"<style>{'path{fill:red}' * 50}</style>{square() * 50}", limits=Limits(style_tests=99)
+            f"<style>{'path{fill:red}' * 50}</style>{square() * 50}", limits=Limits(style_steps=99)
         )
 
 

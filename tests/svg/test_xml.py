@@ -92,7 +92,7 @@ HOSTILE = {
     ),
     "deep": (f"<svg {SVG}>".encode() + b"<g>" * 200_000, "nesting"),
     "many": (f"<svg {SVG}>".encode() + b"<g/>" * 200_000, "elements"),
-    "gzip bomb": (gzip.compress(b" " * 70_000_000), "unpacked"),
+    "gzip bomb": (gzip.compress(b" " * 40_000_000), "unpacked"),
 }
 
 
