@@ -34,6 +34,10 @@ SPREAD_POWER, MOST_SPREAD = 0.25, 2.0
 #: Unlikeness above which two salient vertices are strangers.
 STRANGERS = 0.45
 
+#: Width over which one seen point passes from above to below, in roots of the area; with none, a
+#: level side would have any rank from its one end's to its other's.
+RANK_BLUR = 0.1
+
 UPRIGHT = np.array([1.0, 0.0])
 
 
@@ -113,7 +117,7 @@ def stations(prepared: Prepared, places: Floats) -> Stations:
     return Stations(
         points=read(points.T).T,
         tangents=unit(read(features.tangents.T).T),
-        apexes=unit(read(features.apexes.T).T),
+        apexes=read(features.apexes.T).T,
         turns=read(features.turns),
         inside=read(features.inside),
         outside=read(features.outside),
@@ -180,6 +184,6 @@ def _even_spread(stations: Stations) -> Points:
 
 def _ranks(stations: Stations) -> Floats:
     """Rank of the coordinates among all seen, from -1 to 1, height weighted double; (2, n)."""
-    even = np.linspace(-1.0, 1.0, len(stations.seen))
-    x, y = (np.interp(stations.points[:, k], np.sort(stations.seen[:, k]), even) for k in (0, 1))
+    gap = stations.points[:, None] - stations.seen
+    x, y = np.tanh(gap / RANK_BLUR).mean(axis=1).T
     return np.stack([x, np.sqrt(2) * y])

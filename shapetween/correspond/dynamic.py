@@ -30,6 +30,10 @@ MOVES = (
 #: Price of every station by which a move favours one outline; less invites needless slips.
 SKEW_PRICE = 0.1
 
+#: A slight tilt of the costs by cell number, in which no two paths are equal: symmetric shapes and
+#: straight sides have equally cheap paths, between which rounding must not choose.
+TILT = 1e-8
+
 
 class Paths:
     """The cheapest path from each start, found at once; traced when asked for.
@@ -103,7 +107,9 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
         Stations of the second ring that station 0 of the first may be matched with.
     """
     count = len(cost)
-    prices = _prices(_barred(cost, fixed)) - reward
+    station = np.arange(count)
+    tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
+    prices = _prices(_barred(cost + tilt, fixed)) - reward
     for (di, dj), price in zip(MOVES, prices, strict=True):
         # No move may step over a fixed station of either ring.
         price[(fixed[:, None] + np.arange(1, di)).ravel() % count] = np.inf

@@ -30,6 +30,10 @@ SEEN_STEP = SAMPLES // 96
 #: the end of a limb as one.
 APEX_REACH = SAMPLES // 32
 
+#: Height of an apex, in roots of the area, below which it fades: a straight side has no direction
+#: but rounding's.
+STRAIGHT = 0.01
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Features:
@@ -42,7 +46,8 @@ class Features:
     tangents : (N, 2) float64
         Unit vectors.
     apexes : (N, 2) float64
-        Unit vectors from the middle of the arc about the sample to the sample.
+        Directions from the middle of the arc about the sample to the sample, of length 1 but
+        where the outline is straight.
     inside, outside : (N,) float64
         Radius of the largest disc that touches the outline here on that side, in roots of the
         area, at most `MAX_RADIUS`.
@@ -64,6 +69,7 @@ def describe(points: Points) -> Features:
     turns = np.stack([_turning(points, round(share * count)) for share in TURN_WINDOWS])
     tangents = unit(np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0))
     around = np.roll(points, APEX_REACH, axis=0) + np.roll(points, -APEX_REACH, axis=0)
+    apexes = points - around / 2
     inside, outside = _touching_discs(points, tangents)
     bend = np.abs(turns[1:3]).mean(axis=0)
     density = (1 - BEND_SHARE) / count + BEND_SHARE * bend / bend.sum()
@@ -73,7 +79,7 @@ def describe(points: Points) -> Features:
     return Features(
         turns=turns,
         tangents=tangents,
-        apexes=unit(points - around / 2),
+        apexes=apexes / np.hypot(STRAIGHT, np.linalg.norm(apexes, axis=1, keepdims=True)),
         inside=inside,
         outside=outside,
         measure=measure / measure[-1],
@@ -128,6 +134,8 @@ def contexts(points: Points, seen: Points, axes: Points) -> Floats:
                 (row + where.astype(np.intp)).ravel(), (weight * wr * ws).ravel(), len(votes)
             )
     kept = votes.reshape(len(points), RINGS + 2, SECTORS)[:, 1:-1].reshape(len(points), -1)
+    # No bin is quite empty: the root would make a vote's rounding error large.
+    kept += 1e-6
     return np.asarray(np.sqrt(kept / kept.sum(axis=1, keepdims=True)))
 
 

@@ -20,6 +20,9 @@ KEPT = 14
 #: Every how many-th sample the evolution starts from; the vertices found are samples still.
 EVOLVED_STEP = 2
 
+#: Relevances closer than this, in roots of the area, are equal.
+EQUAL = 1e-9
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Vertices:
@@ -50,7 +53,8 @@ def salient_vertices(points: Points) -> Vertices:
     index = np.arange(0, len(points), EVOLVED_STEP)
     relevance, _ = _relevance(points, index)
     while len(index) > KEPT:
-        least = int(np.argmin(relevance))
+        # Of equally irrelevant ones, as along a straight side, the first: rounding has no say.
+        least = int(np.argmax(relevance <= relevance.min() + EQUAL))
         index, relevance = np.delete(index, least), np.delete(relevance, least)
         beside = np.array([least - 1, least]) % len(index)
         relevance[beside], _ = _relevance(points, index, beside)
