@@ -22,7 +22,7 @@ __all__ = ["MatchedMesh", "mesh_matched"]
 #: Candidates for nodes in each round of the search. The second is only for meshes that the first
 #: left with triangles or with quads that would not move well. More candidates find better meshes,
 #: in time that grows with their third power.
-ROUNDS = (80, 120)
+ROUNDS = (64, 112)
 
 #: Candidates for every quad asked for. Fewer leave no choice of nodes.
 CANDIDATES_A_QUAD = 4

@@ -15,8 +15,9 @@ __all__ = ["QUAD_PRICE", "quad_prices", "side_prices", "triangle_prices"]
 #: Price of a quad. Larger, and limbs are left to the sides; smaller, and shapes fall to crumbs.
 QUAD_PRICE = 0.5
 
-#: Price of the whole area where no quad that moves well covers it.
-UNCOVERED_PRICE = 100.0
+#: Price of the whole area where no quad that moves well covers it. Larger, and there are more
+#: quads and, where shapes are unlike, triangles; smaller, and parts are left to the sides.
+UNCOVERED_PRICE = 180.0
 
 #: Price of a quad that does not move well, besides its area.
 UNUSABLE_PRICE = 1.5
@@ -35,7 +36,7 @@ MISFIT_PRICE = 1.0
 
 #: Price of a face that is not convex in both shapes and has to be cut anew, besides its area; and
 #: of how far it is from convex, in sines.
-BROKEN_PRICE, BENT_PRICE = 15.0, 4.0
+BROKEN_PRICE, BENT_PRICE = 30.0, 4.0
 
 
 def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
