@@ -1,0 +1,280 @@
+"""The command that makes a transition of two pictures."""
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from shapetween.cli.options import METHOD_NAMES, Name
+from shapetween.errors import OptionError
+from shapetween.progress import Progress
+
+if TYPE_CHECKING:
+    from shapetween.image.light import Bytes
+    from shapetween.image.picture import Picture
+    from shapetween.image.transition import Transition
+
+__all__ = ["image"]
+
+#: Frames a second and seconds, where neither these nor the number of frames are asked for.
+DEFAULT_FPS, DEFAULT_DURATION = 30.0, 2.0
+
+#: Frames drawn at the same time, at most: each needs memory of its own.
+MOST_WORKERS = 4
+
+MOST_FRAMES = 100_000
+
+
+class Size(click.ParamType[Any]):
+    """``WIDTHxHEIGHT`` or ``WIDTH``."""
+
+    name = "WIDTH[xHEIGHT]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the one or two numbers."""
+        if isinstance(value, tuple):
+            return value
+        parts = str(value).lower().split("x")
+        if len(parts) > 2 or not all(p.isdecimal() and 0 < int(p) < 100_000 for p in parts):
+            self.fail(f"{value!r} is neither WIDTHxHEIGHT, such as 1280x720, nor WIDTH")
+        return tuple(int(part) for part in parts)
+
+
+@click.command(
+    epilog="Example:  shapetween image before.jpg after.jpg --quads boards.json -o swap.webp"
+)
+@click.argument("a", type=click.Path(path_type=Path))
+@click.argument("b", type=click.Path(path_type=Path))
+@click.option(
+    "--quads",
+    type=click.Path(path_type=Path),
+    multiple=True,
+    metavar="FILE",
+    help="Which quads of A become which of B: JSON; or two SVGs, one drawn over each picture, "
+    "with a four-sided polygon of the same id in both. Repeatable.",
+)
+@click.option(
+    "--mesh",
+    type=click.Path(path_type=Path),
+    metavar="FILE.json",
+    help="A mesh over both pictures instead, in pixels.",
+)
+@click.option(
+    "--outlines",
+    type=click.Path(path_type=Path),
+    nargs=2,
+    metavar="A.svg B.svg",
+    help="Outlines drawn over both pictures instead; meshes are found inside them.",
+)
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(path_type=Path),
+    metavar="OUT",
+    help="By its ending: .webp, .png or .apng, .gif, .mp4; none: a folder of PNG frames.  "
+    "[default: A-to-B.webp]",
+)
+@click.option("--frames", type=click.IntRange(2, MOST_FRAMES), metavar="N", help="How many frames.")
+@click.option(
+    "--fps", type=click.FloatRange(0.01, 240), metavar="N", help="Frames a second.  [default: 30]"
+)
+@click.option(
+    "--duration",
+    type=click.FloatRange(0.01, 3600),
+    metavar="SECONDS",
+    help="Length of one way.  [default: 2]",
+)
+@click.option(
+    "--size",
+    type=Size(),
+    metavar="WIDTH[xHEIGHT]",
+    help="Of the frames. A and B are each scaled evenly to fit, and centred.  [default: A's]",
+)
+@click.option(
+    "--background",
+    default="dissolve",
+    show_default=True,
+    metavar="keep|dissolve|COLOR|FILE",
+    help="Behind the quads: A, A that dissolves into B, a colour, or a picture.",
+)
+@click.option(
+    "--easing",
+    default="ease-in-out",
+    show_default=True,
+    metavar="NAME",
+    help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
+)
+@click.option(
+    "--loop",
+    type=Name("once", "repeat", "alternate"),
+    default="once",
+    show_default=True,
+    help="Stop at B, start again, or go back and forth. MP4 holds one turn of it.",
+)
+@click.option(
+    "--method",
+    type=Name(*METHOD_NAMES),
+    default="projective",
+    show_default=True,
+    help="How quads and meshes move.",
+)
+@click.option(
+    "--slip",
+    type=click.FloatRange(0),
+    metavar="PIXELS",
+    help="How far neighbours may part along a shared side before they are mapped bilinearly.  "
+    "[default: 1]",
+)
+@click.option(
+    "--max-megapixels",
+    type=click.FloatRange(0.001, 300),
+    metavar="N",
+    help="Largest picture that is read.  [default: 64]",
+)
+@click.option(
+    "--report",
+    type=click.Path(path_type=Path),
+    metavar="FILE.json",
+    help="Write what was moved, and how far neighbours part.",
+)
+@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
+def image(
+    a: Path,
+    b: Path,
+    quads: tuple[Path, ...],
+    mesh: Path | None,
+    outlines: tuple[Path, Path] | None,
+    out: Path | None,
+    background: str,
+    loop: str,
+    report: Path | None,
+    quiet: bool,
+    **settings: Any,
+) -> None:
+    """Turn quads of picture A into quads of B, each as a plane seen in perspective.
+
+    A and B may be one picture, whose boards then change places. Coordinates are pixels from the
+    top left corner; parts of quads outside a picture are left out. Of crossing quads the one of
+    greater "depth" is in front, at equal depth the larger one. Quads that share corners in both
+    pictures move as one mesh.
+    """
+    from shapetween import files
+    from shapetween.frames import easing_function, even_times
+
+    ways = [bool(quads), mesh is not None, outlines is not None]
+    if sum(ways) != 1:
+        raise OptionError("expected one of --quads, --mesh or --outlines, to say what moves")
+    if len(quads) > 2:
+        raise OptionError(f"--quads: {len(quads)} files; expected one JSON or two SVGs")
+    given = [*quads, *([mesh] if mesh else []), *(outlines or ())]
+    out = out or Path(f"{a.stem}-to-{b.stem}.webp")
+    files.check_outputs([out, *([report] if report else [])], [a, b, *given])
+    count, fps = _timing(settings["frames"], settings["fps"], settings["duration"])
+    easing = easing_function(settings["easing"])
+
+    with Progress(quiet=quiet) as run:
+        with run("import"):
+            from shapetween.image import load, sources
+            from shapetween.image.transition import SLIP_TOLERANCE, Transition
+            from shapetween.image.writers import Clock, writer_for
+
+            write = writer_for(out)
+        megapixels = settings["max_megapixels"] or load.DEFAULT_MEGAPIXELS
+        with run("read"):
+            first = load.read_picture(a, megapixels)
+            second = first if _same(a, b) else load.read_picture(b, megapixels)
+            behind = _background(background, megapixels)
+            moving = sources.read_moving(
+                (first, second), quads=quads, mesh=mesh, outlines=outlines, observe=run
+            )
+        with run("prepare"):
+            tolerance = SLIP_TOLERANCE if settings["slip"] is None else settings["slip"]
+            size = _size(settings["size"], first, megapixels)
+            transition = Transition.between(
+                first,
+                second,
+                moving.meshes,
+                easing(even_times(count)),
+                size=size,
+                background=behind,
+                method=settings["method"],
+                tolerance=tolerance,
+            )
+        order = list(range(count))
+        if loop == "alternate":
+            order += order[-2:0:-1]
+        write(out, _counted(transition, order, run), Clock(len(order), fps, loop != "once"))
+        if report is not None:
+            text = json.dumps(transition.report() | {"warnings": list(moving.warnings)}, indent=1)
+            files.write_text(report, text + "\n")
+    if quiet:
+        return
+    for path, picture in ((a, first), (b, second))[: 1 if first is second else 2]:
+        for warning in picture.warnings:
+            click.echo(f"shapetween: warning: {path}: {warning}", err=True)
+    for warning in (*moving.warnings, *transition.warnings):
+        click.echo(f"shapetween: warning: {warning}", err=True)
+    click.echo(f"wrote {out}")
+
+
+def _timing(count: int | None, fps: float | None, duration: float | None) -> tuple[int, float]:
+    """How many frames, and how many a second."""
+    if count is not None and fps is not None and duration is not None:
+        raise OptionError("--frames, --fps and --duration: expected at most two of the three")
+    if count is None:
+        fps = fps or DEFAULT_FPS
+        count = max(2, round(fps * (duration or DEFAULT_DURATION)))
+        if count > MOST_FRAMES:
+            raise OptionError(f"--fps and --duration: {count} frames; expected {MOST_FRAMES}")
+    elif fps is None:
+        fps = count / duration if duration else DEFAULT_FPS
+    return count, fps
+
+
+def _same(a: Path, b: Path) -> bool:
+    return a == b or (a.exists() and b.exists() and a.samefile(b))
+
+
+def _size(
+    size: tuple[int, ...] | None, picture: "Picture", megapixels: float
+) -> tuple[int, int] | None:
+    """Width and height of the frames, None for A's."""
+    if size is None:
+        return None
+    height = size[1] if len(size) > 1 else max(1, round(size[0] * picture.height / picture.width))
+    if size[0] * height > megapixels * 1e6:
+        raise OptionError(
+            f"--size {size[0]}x{height}: more than the {megapixels:g} megapixels "
+            "that --max-megapixels allows"
+        )
+    return size[0], height
+
+
+def _background(
+    value: str, megapixels: float
+) -> "Picture | tuple[float, float, float, float] | str":
+    """A background's picture or light, or its name."""
+    if value in ("keep", "dissolve"):
+        return value
+    from shapetween.image.load import read_picture
+    from shapetween.image.sources import light_of_colour
+
+    light = light_of_colour(value)
+    if light is not None:
+        return light
+    if not Path(value).exists():
+        raise OptionError(
+            f"--background {value!r}: expected keep, dissolve, a colour such as #fff, or a picture"
+        )
+    return read_picture(Path(value), megapixels)
+
+
+def _counted(transition: "Transition", order: list[int], run: Progress) -> "Iterator[Bytes]":
+    """Frames, while the progress says which one it is at."""
+    workers = min(MOST_WORKERS, os.cpu_count() or 1)
+    for k, frame in enumerate(transition.frames(order, workers)):
+        with run(f"frame {k + 1} of {len(order)}"):
+            yield frame
