@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 __all__ = ["METHOD_NAMES", "A", "B", "Common", "Keyframes", "Name", "Pin", "common"]
 
 #: `shapetween.interpolate.METHODS` by name, without importing it.
-METHOD_NAMES = ("projective", "arap", "arap-2000", "linear")
+METHOD_NAMES = ("projective", "projective-2007", "arap", "arap-2000", "linear")
 
 
 class Pin(click.ParamType[Any]):

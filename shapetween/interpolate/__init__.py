@@ -7,13 +7,14 @@ from shapetween.errors import OptionError
 from shapetween.interpolate.arap import AlexaArap, Arap
 from shapetween.interpolate.base import Tween
 from shapetween.interpolate.linear import Linear
-from shapetween.interpolate.projective import Projective
+from shapetween.interpolate.projective import PaperProjective, Projective
 from shapetween.mesh import MeshPair
 
 __all__ = ["METHODS", "Tween", "tween"]
 
 METHODS: dict[str, Callable[[MeshPair], Tween]] = {
     "projective": Projective,
+    "projective-2007": PaperProjective,
     "arap": Arap,
     "arap-2000": AlexaArap,
     "linear": Linear,

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from shapetween.arrays import Floats, Index, Points, times
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
-from shapetween.interpolate.faces import shared_edges, split_quads
+from shapetween.interpolate.faces import both_areas, shared_edges, split_quads
 from shapetween.mesh import MeshPair
 from shapetween.plane.jacobians import gradients, jacobians
 
@@ -62,7 +62,7 @@ class JacobianFit:
 
         self._pair, self._triangles = pair, triangles
         ends = [pair.source[triangles], pair.target[triangles]]
-        (hats_a, areas_a), (hats_b, areas_b) = (gradients(corners) for corners in ends)
+        (hats_a, _), (hats_b, _) = (gradients(corners) for corners in ends)
         self.jacobians = jacobians(hats_a, ends[1])
         back = np.swapaxes(np.linalg.inv(self.jacobians), 1, 2)
         pull_a, pull_b = weights[0, :, None, None] * hats_a, weights[1, :, None, None] * hats_b
@@ -74,8 +74,7 @@ class JacobianFit:
         matrix = coo_array((blocks.ravel(), (rows, columns)), shape=(count, count)).tocsc()
         part = connected_components(matrix, directed=False)[1].astype(np.intp)
         self._scatter = _scatter(triangles, count)
-        owner = part[triangles[:, 0]]
-        share = sum(np.abs(a) / np.bincount(owner, np.abs(a))[owner] for a in (areas_a, areas_b))
+        share = both_areas(pair, [triangles], part[triangles[:, 0]])
         mass: Floats = np.asarray(self._scatter @ np.repeat(share, 3))
         # A vertex of no triangle is a part of its own and goes straight.
         mass = np.where(mass > 0, mass, 1.0)

@@ -4,10 +4,10 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index
 from shapetween.errors import DegenerateQuadError, MeshError
-from shapetween.geometry.polygon import corner_sines
+from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.mesh import MeshPair
 
-__all__ = ["check_triangles", "shared_edges", "split_quads"]
+__all__ = ["both_areas", "check_triangles", "connected_parts", "shared_edges", "split_quads"]
 
 #: Least sine of a triangle's corner. Larger refuses thin but sound triangles; smaller lets the
 #: rotation that is read off the matrix be rounding error.
@@ -32,6 +32,37 @@ def shared_edges(faces: list[Index]) -> Index:
     order = np.lexsort((faces_of, ends[:, 1], ends[:, 0]))
     same = np.flatnonzero((ends[order[1:]] == ends[order[:-1]]).all(axis=1))
     return np.stack([faces_of[order[same]], faces_of[order[same + 1]]], axis=1)
+
+
+def connected_parts(faces: list[Index], vertices: int) -> Index:
+    """Connected part that each face belongs to, (N,); faces that share a vertex are connected.
+
+    Parameters
+    ----------
+    faces : list of (N_k, corners_k) intp
+    vertices : int
+        How many vertices the faces index.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    first = np.concatenate([np.repeat(f[:, 0], f.shape[1]) for f in faces])
+    corners = np.concatenate([f.ravel() for f in faces])
+    graph = coo_array((np.ones(len(corners)), (first, corners)), shape=(vertices, vertices))
+    owner = connected_components(graph, directed=False)[1]
+    return np.asarray(np.concatenate([owner[f[:, 0]] for f in faces]), dtype=np.intp)
+
+
+def both_areas(pair: MeshPair, faces: list[Index], parts: Index) -> Floats:
+    """Area of each face as a share of its part's, summed over both ends, (N,).
+
+    Both ends count alike, whatever their sizes, so that the way back is the same.
+    """
+    total = np.zeros(len(parts))
+    for points in (pair.source, pair.target):
+        areas = np.concatenate([np.abs(polygon_area(points[f])) for f in faces])
+        total += areas / np.bincount(parts, weights=areas)[parts]
+    return total
 
 
 def _least_sines(pair: MeshPair, triangles: Index) -> Floats:

@@ -16,11 +16,33 @@ from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import corner_sines, rms_radius
 from shapetween.geometry.rotation import linear_between, polar
 
-__all__ = ["QuadMotion", "interpolate_quads"]
+__all__ = ["QuadMotion", "check_quads", "interpolate_quads"]
 
 #: Least sine of a corner. Larger refuses thin but sound quads; smaller lets the rotation that is
 #: read off the matrix be rounding error.
 MIN_CORNER_SINE = 1e-9
+
+
+def check_quads(source: Quads, target: Quads) -> None:
+    """Refuse quads that no homography of one sign takes from source to target, both (Q, 4, 2).
+
+    Raises
+    ------
+    DegenerateQuadError
+        Where a quad is not strictly convex, or is turned over between source and target.
+    """
+    sines = np.stack([corner_sines(source), corner_sines(target)])  # (2, Q, 4)
+    turning = np.sign(sines.sum(axis=-1))
+    flat = (np.abs(sines) < MIN_CORNER_SINE) | (np.sign(sines) != turning[..., None])
+    bad = flat.any(axis=(0, 2))
+    if bad.any():
+        raise DegenerateQuadError(
+            np.flatnonzero(bad), "not strictly convex at both ends; split it into triangles"
+        )
+    if (mirrored := turning[0] != turning[1]).any():
+        raise DegenerateQuadError(
+            np.flatnonzero(mirrored), "turned over between source and target; reverse one end"
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,18 +91,7 @@ class QuadMotion:
         DegenerateQuadError
             Where a quad is not strictly convex, or is turned over between source and target.
         """
-        sines = np.stack([corner_sines(source), corner_sines(target)])  # (2, Q, 4)
-        turning = np.sign(sines.sum(axis=-1))
-        flat = (np.abs(sines) < MIN_CORNER_SINE) | (np.sign(sines) != turning[..., None])
-        bad = flat.any(axis=(0, 2))
-        if bad.any():
-            raise DegenerateQuadError(
-                np.flatnonzero(bad), "not strictly convex at both ends; split it into triangles"
-            )
-        if (mirrored := turning[0] != turning[1]).any():
-            raise DegenerateQuadError(
-                np.flatnonzero(mirrored), "turned over between source and target; reverse one end"
-            )
+        check_quads(source, target)
         centres, means = source.mean(axis=1), target.mean(axis=1)
         matrix = quad_homographies(source - centres[:, None], target - means[:, None])
         lines, image = matrix[:, 2, :2], matrix[:, :2, 2]

@@ -149,7 +149,7 @@ def far_back(method: str) -> float:
     return float(np.sqrt(((there - back) ** 2).sum(-1).mean(-1)).max() / radius)
 
 
-@pytest.mark.parametrize("method", ["arap", "linear"])
+@pytest.mark.parametrize("method", ["projective", "arap", "linear"])
 def test_the_way_back_is_the_same(method: str) -> None:
     assert far_back(method) < 1e-9
 

@@ -3,20 +3,27 @@
 import numpy as np
 import pytest
 
+from shapetween.arrays import Points
 from shapetween.errors import DegenerateQuadError
-from shapetween.interpolate.projective import Projective
+from shapetween.geometry.polygon import corner_sines, rms_radius
+from shapetween.interpolate.projective import PaperProjective, Projective
+from shapetween.interpolate.quads import interpolate_quads
 from shapetween.mesh import MeshPair
 from tests.strategies import grid, rotation
 
 T = np.array([0.0, 0.2, 0.5, 0.9, 1.0])
 
 
+METHODS = pytest.mark.parametrize("method", [Projective, PaperProjective])
+
+
+@METHODS
 @pytest.mark.parametrize("degrees", [30, 90, 120, 170, 180, -170])
-def test_turned_mesh_turns(degrees: float) -> None:
+def test_turned_mesh_turns(method: type[Projective | PaperProjective], degrees: float) -> None:
     vertices, quads = grid(5, 3)
     angle = np.deg2rad(degrees)
     target = 2 * vertices @ rotation(angle).T + [7.0, 1.0]
-    frames = Projective(MeshPair(vertices, target, quads)).vertices(T)
+    frames = method(MeshPair(vertices, target, quads)).vertices(T)
     local = vertices - vertices.mean(axis=0)
     way = angle if degrees != -180 else np.pi
     for t, frame in zip(T, frames, strict=True):
@@ -24,7 +31,10 @@ def test_turned_mesh_turns(degrees: float) -> None:
         np.testing.assert_allclose(frame - frame.mean(axis=0), wanted, atol=1e-9)
 
 
-def test_spiral_past_half_a_turn_unrolls_without_a_jump() -> None:
+@METHODS
+def test_spiral_past_half_a_turn_unrolls_without_a_jump(
+    method: type[Projective | PaperProjective],
+) -> None:
     """Neighbours turn by less than half a turn, the whole by more: angles must be coherent."""
     count = 24
     x = np.linspace(0, 12, count + 1)
@@ -36,7 +46,7 @@ def test_spiral_past_half_a_turn_unrolls_without_a_jump() -> None:
     bent = np.concatenate(
         [np.stack([r * np.sin(angle), 3 - r * np.cos(angle)], axis=1) for r in radius]
     )
-    frames = Projective(MeshPair(vertices, bent, quads)).vertices(np.linspace(0, 1, 21))
+    frames = method(MeshPair(vertices, bent, quads)).vertices(np.linspace(0, 1, 21))
     lengths = np.linalg.norm(np.diff(frames[:, : count + 1], axis=1), axis=-1)
     ends = np.maximum(lengths[0], lengths[-1]), np.minimum(lengths[0], lengths[-1])
     assert (lengths < 1.05 * ends[0]).all()
@@ -49,3 +59,48 @@ def test_a_bad_quad_is_named() -> None:
     target[6] = target[1] + [-0.2, 0.1]
     with pytest.raises(DegenerateQuadError, match="quad"):
         Projective(MeshPair(vertices, target, quads))
+
+
+def extreme(rng: np.random.Generator) -> Points:
+    """A convex quad of any shape."""
+    while True:
+        angle = np.sort(rng.uniform(0, 2 * np.pi, 4))
+        quad = rng.uniform(0.3, 1, (4, 1)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        if corner_sines(quad).min() > 0.02:
+            return np.asarray(quad)
+
+
+def test_no_quad_alone_loses_its_convexity() -> None:
+    """Rigidly moved some of these do, by which they are found; backwards is the same for all."""
+    rng, t = np.random.default_rng(5), np.linspace(0, 1, 41)
+    one, others = np.arange(4)[None], 0
+    for _ in range(150):
+        pair = MeshPair(extreme(rng), np.roll(extreme(rng), rng.integers(4), axis=0), one)
+        movement, back = Projective(pair), Projective(pair.reversed())
+        others += len(movement._others)
+        assert corner_sines(movement.vertices(t)).min() > 0
+        far = np.abs(movement.vertices(t) - back.vertices(1 - t)).max()
+        assert far < 1e-9 or abs(abs(movement._quads.angles[0]) - np.pi) < 1e-6
+    assert others > 1
+
+
+def test_the_papers_form_is_the_papers_on_one_quad() -> None:
+    rng = np.random.default_rng(2)
+    p, q = extreme(rng), extreme(rng)
+    pair = MeshPair(p, q, np.arange(4)[None])
+    for scale in (None, 1.0, 10.0):
+        line = "limit" if scale is None else "slerp"
+        wanted = interpolate_quads(p[None], q[None], T, line=line, scale=scale)[:, 0]  # type: ignore[arg-type]
+        np.testing.assert_allclose(PaperProjective(pair, scale).vertices(T), wanted, atol=1e-12)
+    np.testing.assert_array_equal(
+        PaperProjective(pair).vertices(T), PaperProjective(pair, 10.0).vertices(T)
+    )
+
+
+def test_residual_is_how_far_faces_are_from_their_vertices() -> None:
+    vertices, quads = grid(3, 2)
+    movement = Projective(MeshPair(vertices, vertices @ rotation(1.0).T, quads))
+    assert (movement.residual(T) < 1e-12 * rms_radius(vertices)).all()
+    bent = vertices + 0.3 * np.sin(2 * vertices[:, ::-1])
+    half = Projective(MeshPair(vertices, bent, quads))
+    assert half.residual([0.5])[0] > 1e-3
