@@ -1,0 +1,63 @@
+"""Outlines the correspondence is tried on, and ways to write the same outline otherwise."""
+
+import numpy as np
+
+from shapetween.arrays import Affine, Floats, Points
+from shapetween.geometry.bezier import line_curves, sub_curves
+from shapetween.outline import Outline
+
+
+def polygon(points: Points) -> Outline:
+    """The closed polygon, of positive area."""
+    outline = Outline(line_curves(points, np.roll(points, -1, axis=0)))
+    return outline if outline.area > 0 else outline.reversed()
+
+
+def star(seed: int, corners: int = 9) -> Points:
+    """A star-shaped polygon, no two of which look alike, as (corners, 2)."""
+    rng = np.random.default_rng(seed)
+    angle = 2 * np.pi * (np.arange(corners) + rng.uniform(-0.3, 0.3, corners)) / corners
+    radius = rng.uniform(0.4, 1.5, corners)
+    return np.asarray(radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+
+
+def rounded(points: Points) -> Outline:
+    """A smooth closed outline through points."""
+    handle = (np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)) / 6
+    following = np.roll(points, -1, axis=0)
+    curves = np.stack(
+        [points, points + handle, following - np.roll(handle, -1, axis=0), following], axis=1
+    )
+    return Outline(curves)
+
+
+def disc() -> Outline:
+    """Four cubics, all alike."""
+    k = 0.5522847498
+    arc = np.array([[1.0, 0.0], [1.0, k], [k, 1.0], [0.0, 1.0]])
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    curves = np.stack([arc @ np.linalg.matrix_power(turn, i) for i in range(4)])
+    curves[:-1, 3], curves[-1, 3] = curves[1:, 0], curves[0, 0]
+    return Outline(curves)
+
+
+def rewritten(outline: Outline, first: int, cut: float) -> Outline:
+    """The same curve from another start, each command cut in two."""
+    curves = np.roll(outline.curves, -first, axis=0)
+    t = np.full(len(curves), cut)
+    halves = [sub_curves(curves, 0 * t, t), sub_curves(curves, t, 0 * t + 1)]
+    joined = np.stack(halves, axis=1).reshape(-1, 4, 2)
+    joined[1:, 0], joined[0, 0] = joined[:-1, 3], joined[-1, 3]
+    return Outline(joined)
+
+
+def rotation(angle: float, scale: float = 1.0) -> Affine:
+    """A turn about the origin, scaled, and moved by (3, -1) of the scale."""
+    c, s = scale * np.cos(angle), scale * np.sin(angle)
+    return np.array([[c, -s, 3 * scale], [s, c, -scale]])
+
+
+def apart(a: Floats, b: Floats) -> float:
+    """Greatest distance of places on a closed outline, as a share of its length."""
+    gap = a - b
+    return float(np.abs(gap - np.round(gap)).max())

@@ -1,0 +1,138 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from shapetween.arclength import ArcLength
+from shapetween.arrays import Floats, Points
+from shapetween.correspond import correspond
+from shapetween.errors import OptionError, OutlineError
+from shapetween.outline import Outline
+from tests.correspond.shapes import apart, polygon, rewritten, rotation, rounded, star
+
+GRID = np.arange(200) / 200
+
+
+def hand(turn: float = 0.0, fingers: int = 4) -> Points:
+    """A palm on a wrist with fingers upwards; the first one is bent sideways by `turn`."""
+    points = [[-0.3, 3.0], [-1.0, 1.5]]
+    for k in range(fingers):
+        x = -1.0 + 2.0 * k / (fingers - 1)
+        finger = np.array([[-0.15, 0.0], [-0.15, -1.0], [-0.1, -2.0], [0.1, -2.0], [0.15, 0.0]])
+        if k == 0:
+            c, s = np.cos(turn), np.sin(turn)
+            finger = finger @ np.array([[c, -s], [s, c]])
+        root = np.array([x, -0.2 * np.sin(np.pi * k / (fingers - 1))])
+        points += (finger + root).tolist()
+    return np.array([*points, [1.0, 1.5], [0.3, 3.0]])
+
+
+def vertex_places(points: Points) -> Floats:
+    """Fractions of the length of a polygon's corners."""
+    return ArcLength(polygon(points)).nearest(points)[0]
+
+
+@settings(max_examples=8)
+@given(st.integers(0, 10**6))
+def test_the_way_back_is_the_inverse(seed: int) -> None:
+    a, b = polygon(star(seed)), rounded(star(seed + 1, 7))
+    there, back = correspond(a, b), correspond(b, a)
+    assert apart(back.source_at(GRID), there.target_at(GRID)) < 1e-9
+    assert apart(there.source_at(there.target_at(GRID)), GRID) < 1e-9
+
+
+@settings(max_examples=8)
+@given(st.integers(0, 10**6), st.sampled_from([1e-3, 1e6]))
+def test_neither_start_nor_unit_nor_cuts_matter(seed: int, unit: float) -> None:
+    a, b = polygon(star(seed)), rounded(star(seed + 1, 7))
+    matrix = rotation(0.0, unit)
+    moved = rewritten(a.transformed(matrix), 4, 0.3)
+    other = rewritten(b, 2, 0.6)
+    plain, same = correspond(a, b), correspond(moved, other)
+    places, shifted = ArcLength(a), ArcLength(moved)
+    origin = places.nearest((moved.curves[0, 0] - matrix[:, 2]) / unit)[0]
+    landed = ArcLength(b).nearest(other.curves[0, 0])[0]
+    assert shifted.length == pytest.approx(unit * places.length)
+    assert apart(same.target_at(GRID - origin) + landed, plain.target_at(GRID)) < 1e-6
+
+
+def test_a_shape_and_itself_stand_still() -> None:
+    outline = rounded(star(5))
+    found = correspond(outline, outline)
+    assert found.confidence == "sure"
+    assert apart(found.target_at(GRID), GRID) < 1e-12
+    assert found.affine is not None
+    np.testing.assert_allclose(found.affine, [[1, 0, 0], [0, 1, 0]], atol=1e-12)
+
+
+@pytest.mark.parametrize("turn", [-0.7, 0.4, 0.9])
+def test_a_bent_finger_is_the_same_finger(turn: float) -> None:
+    a, b = hand(), hand(turn)
+    found = correspond(polygon(a), polygon(b))
+    assert apart(found.target_at(vertex_places(a)), vertex_places(b)) < 0.02
+
+
+def test_a_turned_and_bent_shape_is_found() -> None:
+    a, b = hand(), hand(0.5)
+    turned = b @ rotation(2.0)[:, :2].T
+    found = correspond(polygon(a), polygon(turned))
+    assert apart(found.target_at(vertex_places(a)), vertex_places(turned)) < 0.03
+    assert found.turn == pytest.approx(2.0, abs=0.3)
+
+
+def test_others_are_other_matchings_in_order_of_cost() -> None:
+    found = correspond(polygon(hand()), polygon(star(3)))
+    costs = [found.cost, *(other.cost for other in found.candidates())]
+    assert len(costs) >= 3
+    assert costs == sorted(costs)
+    assert found.runner_up == costs[1]
+    for other in found.candidates():
+        assert np.abs(other.target_at(GRID) - found.target_at(GRID)).max() > 0.01
+
+
+def test_a_pin_is_met_and_brings_its_finger() -> None:
+    """Pinned to the tip of the finger beside it, a finger goes there from root to root."""
+    a, b = hand(), hand(fingers=5)
+    tips = np.array([[-1.0, -2.0]])
+    goal = b[(b[:, 1] < -2.0) & (np.abs(b[:, 0] + 0.5) < 0.2)].mean(axis=0, keepdims=True)
+    found = correspond(polygon(a), polygon(b), np.concatenate([tips, goal], axis=1))
+    here, there = ArcLength(polygon(a)), ArcLength(polygon(b))
+    assert apart(found.target_at(here.nearest(tips)[0]), there.nearest(goal)[0]) < 1e-9
+    sides = np.array([[-1.12, -1.5], [-0.88, -1.5]])
+    reached = there.point(found.target_at(here.nearest(sides)[0]))
+    np.testing.assert_allclose(reached, sides + [0.5, 0.0], atol=0.35)
+
+
+def test_several_pins_are_all_met() -> None:
+    a, b = polygon(star(8)), polygon(star(9))
+    here, there = ArcLength(a), ArcLength(b)
+    u, v = np.array([0.1, 0.35, 0.8]), np.array([0.7, 0.9, 0.4])
+    pins = np.concatenate([here.point(u), there.point(v)], axis=1)
+    forward = correspond(a, b, pins)
+    assert apart(forward.target_at(u), v) < 1e-9
+    backward = correspond(b, a, pins[:, [2, 3, 0, 1]])
+    assert apart(backward.source_at(GRID), forward.target_at(GRID)) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("pins", "message"),
+    [
+        ([[5.0, 5.0, 0.0, 0.0]], "pin 5,5:0,0 is .* off the source"),
+        ([[0.0, 0.0, 1.0, 1.0], [1.0, 0.0, 1.0, 1.0]], "out of order"),
+        ([[0, 0, 0, 0], [1, 0, 0, 1], [1, 1, 1, 0]], "pin 1,1:1,0 is out of order"),
+        ([[0.0, 0.0, 1.0]], "four numbers"),
+    ],
+)
+def test_pins_that_cannot_be(pins: list[list[float]], message: str) -> None:
+    square = polygon(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))
+    with pytest.raises(OptionError, match=message):
+        correspond(square, square, np.array(pins))
+
+
+def test_outlines_that_cannot_be() -> None:
+    good = polygon(star(1))
+    flat = polygon(np.array([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]))
+    with pytest.raises(OutlineError, match="target outline encloses no area"):
+        correspond(good, flat)
+    with pytest.raises(OutlineError, match="source outline is open"):
+        correspond(Outline(good.curves[:-1], closed=False), good)
