@@ -57,8 +57,12 @@ class MendedMotion:
     def vertices(self, t: ArrayLike) -> Points:
         """Vertices at the times (F,), in user units, (F, V, 2); the mesh's own at 0 and 1."""
         at = times(t)
-        inner = ((at > 0) & (at < 1))[:, None, None]
-        return self.motion.vertices(at) + np.where(inner, self._added(at), 0)
+        return self.motion.vertices(at) + self.added(at)
+
+    def added(self, t: Floats) -> Points:
+        """What is added at the times (F,), (F, V, 2)."""
+        inner = ((t > 0) & (t < 1))[:, None, None]
+        return np.where(inner, self._added(t), 0)
 
 
 def _push(mesh: PlaneMesh, t: Floats, vertices: Points, sweeps: int) -> Points:

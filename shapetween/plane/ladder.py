@@ -21,8 +21,9 @@ FramesCheck: TypeAlias = Callable[[Floats, Points], Mask]
 #: apart and lets limbs shorten.
 LADDER = (Stiffness(0.5, 8.0), Stiffness(1.0, 1.0), Stiffness(3.0, 0.0))
 
-#: Number of times at which a motion is checked. Fewer miss short contacts.
-CHECKED_TIMES = 81
+#: Number of times at which a motion is looked at; it is solved at every other one and interpolated
+#: between, which is far cheaper and as good. Fewer miss short contacts.
+CHECKED_TIMES = 161
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,19 +72,31 @@ def settle(
         The first without a crossing, else the one with the fewest.
     """
     t = np.linspace(0, 1, CHECKED_TIMES)
+    solved = t[::2]
     look = check or _polygons(mesh)
     tried: list[SettledMotion] = []
     for stiffness in ladder:
         motion = PlaneMotion.prepare(mesh, stiffness, target)
-        vertices = motion.vertices(t)
-        tried.append(SettledMotion(motion, stiffness, t[~look(t, vertices)]))
+        vertices = motion.vertices(solved)
+        tried.append(SettledMotion(motion, stiffness, t[~look(t, _denser(vertices))]))
         if not len(tried[-1].crossing):
             return tried[-1]
-        mended = MendedMotion.of(motion, t, vertices)
-        tried.append(SettledMotion(mended, stiffness, t[~look(t, mended.vertices(t))]))
+        mended = MendedMotion.of(motion, solved, vertices)
+        moved = vertices + mended.added(solved)
+        tried.append(SettledMotion(mended, stiffness, t[~look(t, _denser(moved))]))
         if not len(tried[-1].crossing):
             return tried[-1]
     return min(tried, key=lambda settled: len(settled.crossing))
+
+
+def _denser(vertices: Points) -> Points:
+    """Frames (F, V, 2) and those half way between them, (2 F - 1, V, 2), by cubics."""
+    dense = np.repeat(vertices, 2, axis=0)[:-1]
+    a, b, c, d = vertices[:-3], vertices[1:-2], vertices[2:-1], vertices[3:]
+    dense[3:-3:2] = (9 * (b + c) - (a + d)) / 16
+    dense[1] = (5 * a[0] + 15 * b[0] - 5 * c[0] + d[0]) / 16
+    dense[-2] = (5 * d[-1] + 15 * c[-1] - 5 * b[-1] + a[-1]) / 16
+    return dense
 
 
 def _polygons(mesh: PlaneMesh) -> FramesCheck:

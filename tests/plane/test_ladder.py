@@ -61,7 +61,20 @@ def test_the_callers_look_decides() -> None:
     settled = settle(mesh, never)
     assert len(seen) == 2 * len(LADDER)
     assert settled.stiffness is LADDER[0]
-    assert settled.crossing.tolist() == [0.25]
+    np.testing.assert_allclose(settled.crossing, [0.25, 0.25625])
+
+
+def test_frames_between_the_solved_ones_are_looked_at_where_they_are() -> None:
+    mesh = plane_mesh(comb(4, -1.5), comb(4, 1.5))
+    looked: list[Points] = []
+
+    def look(t: Floats, vertices: Points) -> Mask:
+        looked.append(vertices)
+        return np.full(len(t), True)
+
+    settled = settle(mesh, look)
+    true = settled.motion.vertices(np.linspace(0, 1, len(looked[0])))
+    np.testing.assert_allclose(looked[0], true, atol=1e-5 * np.ptp(true))
 
 
 def test_curled_strips_pass_each_other() -> None:
