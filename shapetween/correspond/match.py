@@ -204,9 +204,26 @@ def _cost(a: Prepared, b: Prepared, layout: Layout, angle: float, pins: Floats) 
     cost = upright_cost(first.turned(angle), second)
     if len(pins) == 0:
         return cost
-    sway_a, sway_b = _nearness(layout.a, pins[:, 0]), _nearness(layout.b, pins[:, 1])
-    sway = np.maximum(sway_a[:, None], sway_b)
-    return sway * intrinsic_cost(first, second) + (1 - sway) * cost
+    sway, astray = _pull(layout, pins)
+    pulled = (intrinsic_cost(first, second) + astray) / 2
+    return sway * pulled + (1 - sway) * cost
+
+
+def _pull(layout: Layout, pins: Floats) -> tuple[Floats, Floats]:
+    """How much each pair of stations is under the sway of a pin, and how far it strays from it.
+
+    Both (n, n), from 0 to 1. A pair strays when its stations are not equally far along both
+    outlines from the pin.
+    """
+    a, b = layout.a[:, None] - pins[:, 0], layout.b[:, None] - pins[:, 1]
+    a, b = (a - np.round(a)) / PIN_REACH, (b - np.round(b)) / PIN_REACH
+    near = np.maximum(1 - np.minimum(np.abs(a)[:, None], np.abs(b)), 0.0)
+    astray = np.minimum(np.abs(a[:, None] - b), 1.0)
+    strongest = near.argmax(axis=-1)[..., None]
+    return (
+        np.take_along_axis(near, strongest, axis=-1)[..., 0],
+        np.take_along_axis(astray, strongest, axis=-1)[..., 0],
+    )
 
 
 def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> Floats:
@@ -219,13 +236,6 @@ def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> F
     earned = VERTEX_REWARD * weight * alike * likeness_of_vertices(first.turned(angle), second)
     np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
     return reward
-
-
-def _nearness(places: Floats, pins: Floats) -> Floats:
-    """How much each place is under the sway of a pin, from 0 to 1."""
-    gap = places[:, None] - pins
-    away = np.abs(gap - np.round(gap)).min(axis=1)
-    return np.asarray(np.maximum(1 - away / PIN_REACH, 0.0))
 
 
 def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:

@@ -100,7 +100,7 @@ def test_a_pin_is_met_and_brings_its_finger() -> None:
     assert apart(found.target_at(here.nearest(tips)[0]), there.nearest(goal)[0]) < 1e-9
     sides = np.array([[-1.12, -1.5], [-0.88, -1.5]])
     reached = there.point(found.target_at(here.nearest(sides)[0]))
-    np.testing.assert_allclose(reached, sides + [0.5, 0.0], atol=0.35)
+    np.testing.assert_allclose(reached - sides, [[0.5, 0.0]] * 2, atol=0.35)
 
 
 def test_several_pins_are_all_met() -> None:
