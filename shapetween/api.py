@@ -58,7 +58,7 @@ class Morph:
         self,
         *,
         duration: float = 2.0,
-        easing: str = "ease-in-out",
+        easing: str = "linear",
         loop: Literal["once", "repeat", "alternate"] = "once",
         keyframes: int | Literal["auto"] = "auto",
         precision: int | None = None,

@@ -179,7 +179,8 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
     import shapely
 
     points = [flatten(ring.curves, FINE_CHORDS) for ring in rings]
-    lines = shapely.node(shapely.multilinestrings([np.concatenate([p, p[:1]]) for p in points]))
+    loops = [shapely.LineString(np.concatenate([p, p[:1]])) for p in points]
+    lines = shapely.node(shapely.MultiLineString(loops))
     faces = list(shapely.get_parts(shapely.polygonize(list(shapely.get_parts(lines)))))
     total = sum(face.area for face in faces)
     kept = []

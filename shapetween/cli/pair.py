@@ -32,7 +32,7 @@ __all__ = ["frames", "mesh", "morph"]
 )
 @click.option(
     "--easing",
-    default="ease-in-out",
+    default="linear",
     show_default=True,
     metavar="NAME",
     help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
