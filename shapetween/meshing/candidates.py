@@ -13,7 +13,7 @@ from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
 from shapetween.meshing.contour import settled
 
-__all__ = ["candidate_nodes", "far_sample", "simplified"]
+__all__ = ["candidate_nodes", "far_sample", "opposite_feet", "simplified"]
 
 #: Share of the candidates that outline the shapes; the rest face them across limbs. More, and
 #: limbs have no ribs to become ladders with; fewer, and bends are cut short.
@@ -156,4 +156,4 @@ def candidate_nodes(points: Points, corners: Mask, count: int, kept: Index | Non
             taken.append(foot)
         if len(taken) >= count:
             break
-    return np.array(taken, dtype=np.intp)
+    return simplified(points, corners, count, np.array(taken, dtype=np.intp))

@@ -13,6 +13,7 @@ from shapetween.meshing.contour import Contours, left_out
 from shapetween.meshing.dissection import Dissection
 from shapetween.meshing.prices import QUAD_PRICE
 from shapetween.meshing.quality import face_figures
+from shapetween.meshing.refine import with_rungs
 from shapetween.meshing.repair import Faces, repaired, simple_nodes
 from shapetween.meshing.search import LEVELS, Links, Search
 from shapetween.meshing.slide import slid
@@ -24,11 +25,9 @@ __all__ = ["MatchedMesh", "mesh_matched"]
 #: in time that grows with their third power.
 ROUNDS = (64, 112)
 
-#: Candidates for every quad asked for. Fewer leave no choice of nodes.
-CANDIDATES_A_QUAD = 4
-
 #: Prices of a quad between which a number of quads asked for is sought, and in how many steps.
-PRICES, PRICE_STEPS = (-8.0, 16.0), 12
+#: Cheaper quads come out as crumbs; beyond, rungs are better.
+PRICES, PRICE_STEPS = (0.0, 32.0), 12
 
 #: Price, in quads about, that it is worth to put a node on a corner of an outline.
 CORNER_PULL = 0.5
@@ -76,11 +75,10 @@ class _Draft:
     triangles: Index
 
     @classmethod
-    def of(cls, found: Dissection) -> "_Draft":
-        nodes = np.unique(np.concatenate([found.quads.ravel(), found.triangles.ravel()]))
-        return cls(
-            nodes, np.searchsorted(nodes, found.quads), np.searchsorted(nodes, found.triangles)
-        )
+    def of(cls, quads: Index, triangles: Index) -> "_Draft":
+        """Faces whose corners are samples."""
+        nodes = np.unique(np.concatenate([quads.ravel(), triangles.ravel()]))
+        return cls(nodes, np.searchsorted(nodes, quads), np.searchsorted(nodes, triangles))
 
 
 def mesh_matched(
@@ -162,8 +160,7 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
     draft = None
     for count in ROUNDS:
         kept = None if draft is None else draft.nodes
-        wanted = count if quads is None else max(count, CANDIDATES_A_QUAD * quads)
-        candidates = candidate_nodes(contours.points, corners, wanted, kept)
+        candidates = candidate_nodes(contours.points, corners, count, kept)
         links = Links.between(contours, candidates)
         for level in LEVELS:
             search = Search.over(links, level)
@@ -174,7 +171,7 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
             continue
         if quads is not None:
             found = _with_about(search, quads)
-        draft = _Draft.of(found)
+        draft = _Draft.of(found.quads, found.triangles)
         nodes = slid(contours, pull, draft.nodes, draft.quads, draft.triangles)
         draft = _Draft(nodes, draft.quads, draft.triangles)
         figures = face_figures(contours.points[:, nodes[draft.quads]])
@@ -183,6 +180,10 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
     if draft is None:
         nodes = np.sort(simplified(contours.points, corners, FALLBACK_NODES))
         draft = _Draft(nodes, np.zeros((0, 4), np.intp), np.zeros((0, 3), np.intp))
+    elif quads is not None:
+        samples = draft.nodes[draft.quads], draft.nodes[draft.triangles]
+        samples = with_rungs(contours, *samples, quads), samples[1]
+        draft = _Draft.of(*samples)
     return draft
 
 
