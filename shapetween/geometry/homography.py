@@ -11,7 +11,13 @@ import numpy as np
 
 from shapetween.arrays import Floats, Points, Quads
 
-__all__ = ["apply_homography", "homogeneous_weights", "quad_homographies", "triangle_affinities"]
+__all__ = [
+    "apply_homography",
+    "homogeneous_weights",
+    "homography_jacobians",
+    "quad_homographies",
+    "triangle_affinities",
+]
 
 
 def quad_homographies(source: Quads, target: Quads) -> Floats:
@@ -67,6 +73,20 @@ def homogeneous_weights(matrix: Floats, points: Points) -> Floats:
     return np.asarray(
         np.einsum("...j,...kj->...k", matrix[..., 2, :2], points) + matrix[..., 2, 2:]
     )
+
+
+def homography_jacobians(matrix: Floats, points: Points) -> Floats:
+    """Jacobian of each homography at points: (..., 3, 3) and (..., K, 2) to (..., K, 2, 2).
+
+    Notes
+    -----
+    With y the image of x and w its third coordinate, J = (H2 - y (h31, h32)) / w, and
+    det J = det H / w^3.
+    """
+    image = apply_homography(matrix, points)
+    weights = homogeneous_weights(matrix, points)
+    outer = image[..., :, None] * matrix[..., None, 2, None, :2]
+    return np.asarray((matrix[..., None, :2, :2] - outer) / weights[..., None, None])
 
 
 def triangle_affinities(source: Points, target: Points) -> Floats:

@@ -4,7 +4,7 @@ import numpy as np
 
 from shapetween.arrays import Floats, Points, Quads
 
-__all__ = ["corner_sines", "cross", "polygon_area", "rms_radius"]
+__all__ = ["corner_sines", "cross", "diagonal_crossings", "polygon_area", "rms_radius"]
 
 
 def cross(a: Points, b: Points) -> Floats:
@@ -50,3 +50,13 @@ def rms_radius(points: Points) -> Floats:
     """Root mean square distance of points to their mean, (...,) for (..., N, 2)."""
     offsets = points - points.mean(axis=-2, keepdims=True)
     return np.asarray(np.sqrt((offsets**2).sum(-1).mean(-1)))
+
+
+def diagonal_crossings(quads: Quads) -> Points:
+    """Where the diagonals of convex quads cross, (..., 2) for (..., 4, 2).
+
+    Homographies take it along, which they do not the mean of the corners.
+    """
+    a, b, c, d = np.moveaxis(quads, -2, 0)
+    share = cross(b - a, d - b) / cross(c - a, d - b)
+    return np.asarray(a + share[..., None] * (c - a))

@@ -6,11 +6,12 @@ from collections.abc import Callable
 from shapetween.errors import OptionError
 from shapetween.interpolate.arap import AlexaArap, Arap
 from shapetween.interpolate.base import Tween
+from shapetween.interpolate.inside import Interior
 from shapetween.interpolate.linear import Linear
 from shapetween.interpolate.projective import PaperProjective, Projective
 from shapetween.mesh import MeshPair
 
-__all__ = ["METHODS", "Tween", "tween"]
+__all__ = ["INTERIORS", "METHODS", "Tween", "tween"]
 
 METHODS: dict[str, Callable[[MeshPair], Tween]] = {
     "projective": Projective,
@@ -20,6 +21,15 @@ METHODS: dict[str, Callable[[MeshPair], Tween]] = {
     "linear": Linear,
 }
 """Every method by the name that users choose it by."""
+
+INTERIORS: dict[str, Interior] = {
+    "projective": "homography",
+    "projective-2007": "homography",
+    "arap": "triangles",
+    "arap-2000": "triangles",
+    "linear": "triangles",
+}
+"""How each method carries what is inside a quad."""
 
 
 def tween(pair: MeshPair, method: str = "projective") -> Tween:

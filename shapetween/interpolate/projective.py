@@ -97,7 +97,7 @@ class Projective(_AlignedFaces):
         weights = both_areas(pair, faces, parts)
         super().__init__(pair, weights)
         self._quads, self._triangles = RigidFaces.of(pair, weights, parts)
-        looks = corner_sines(self._quads.corners(np.linspace(0, 1, LOOKS)))  # (F, Q, 4)
+        looks = corner_sines(self._quads.turned(np.linspace(0, 1, LOOKS)))  # (F, Q, 4)
         turning = np.sign(looks[:1].sum(axis=-1, keepdims=True))
         least = (looks * turning).min(axis=-1)  # (F, Q)
         ends = least[[0, -1]]
@@ -111,12 +111,11 @@ class Projective(_AlignedFaces):
 
     def loose_corners(self, t: Floats) -> Points:
         """Corners of every face moved on its own, face after face, (F, C, 2)."""
-        quads, triangles = self._quads.corners(t), self._triangles.corners(t)
+        quads, triangles = self._quads.turned(t), self._triangles.turned(t)
         for chosen, motion, backward in self._others:
             start = (self._quads.target if backward else self._quads.source)[chosen]
-            moved = motion.corners(start, 1 - t if backward else t)
-            straight = quads[:, chosen].mean(axis=2, keepdims=True)
-            quads[:, chosen] = moved - moved.mean(axis=2, keepdims=True) + straight
+            quads[:, chosen] = motion.corners(start, 1 - t if backward else t)
+        quads, triangles = self._quads.placed(quads, t), self._triangles.placed(triangles, t)
         frames = len(t)
         return np.concatenate(
             [quads.reshape(frames, -1, 2), triangles.reshape(frames, -1, 2)], axis=1

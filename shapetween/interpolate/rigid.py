@@ -1,6 +1,6 @@
 """Faces that turn as rigidly as they can, each alone: quads and triangles alike.
 
-A face is turned about its centroid at an even rate while what is left, its change of shape, is
+A face is turned about its centre at an even rate while what is left, its change of shape, is
 blended straight. The angle is the one that leaves least over in least squares, but for what the
 faces of a mesh have in common: that is read off as one affine map first, so that an affine image
 of a mesh is reached through affine images although its faces differ.
@@ -12,7 +12,7 @@ import numpy as np
 
 from shapetween.arrays import Floats, Index, Points
 from shapetween.geometry.homography import triangle_affinities
-from shapetween.geometry.polygon import cross
+from shapetween.geometry.polygon import cross, diagonal_crossings
 from shapetween.geometry.rotation import coherent_angles, polar, rotations
 from shapetween.interpolate.faces import shared_edges
 from shapetween.mesh import MeshPair
@@ -76,15 +76,31 @@ class RigidFaces:
         )
         return quads, triangles
 
-    def corners(self, t: Floats) -> Points:
-        """Corners at the times (F,), (F, N, C, 2); each face's centroid goes straight."""
+    def turned(self, t: Floats) -> Points:
+        """Corners at the times (F,), (F, N, C, 2), turned and blended; `placed` says where."""
         time = t[:, None, None, None]
-        start = self.source.mean(axis=1, keepdims=True)
-        end = self.target.mean(axis=1, keepdims=True)
-        turned_back = (self.target - end) @ rotations(self.angles)  # row vectors: R(-angle)
-        local = (1 - time) * (self.source - start) + time * turned_back
+        turned_back = self.target @ rotations(self.angles)  # row vectors: R(-angle)
         turn = np.swapaxes(rotations(t[:, None] * self.angles), -1, -2)
-        return np.asarray(local @ turn + (1 - time) * start + time * end)
+        return np.asarray(((1 - time) * self.source + time * turned_back) @ turn)
+
+    def placed(self, corners: Points, t: Floats) -> Points:
+        """Corners (F, N, C, 2) at the times (F,), moved so that each face's centre goes straight.
+
+        Quads must be convex.
+
+        Notes
+        -----
+        The centre of a quad is where its diagonals cross: of a flat thing that moves straight in
+        space, what is seen there is nearer to going straight than the mean of its corners.
+        """
+        time = t[:, None, None]
+        straight = (1 - time) * _centres(self.source) + time * _centres(self.target)
+        return np.asarray(corners + (straight - _centres(corners))[..., None, :])
+
+
+def _centres(corners: Points) -> Points:
+    """Crossing of a quad's diagonals, mean of a triangle's corners, (..., 2)."""
+    return diagonal_crossings(corners) if corners.shape[-2] == 4 else corners.mean(axis=-2)
 
 
 def _bimedian_maps(source: Points, target: Points) -> Floats:

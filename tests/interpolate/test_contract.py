@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 
 from shapetween.arrays import Floats, Points
 from shapetween.cli.options import METHOD_NAMES
 from shapetween.errors import MeshError, OptionError, ShapeError
-from shapetween.interpolate import METHODS, tween
+from shapetween.interpolate import INTERIORS, METHODS, tween
 from shapetween.mesh import MeshPair
 from tests.strategies import affine_maps, grid, rotation
 
@@ -30,6 +30,7 @@ def affine_fit(p: Floats, q: Floats) -> float:
 
 def test_the_command_line_offers_every_method() -> None:
     assert tuple(METHODS) == METHOD_NAMES
+    assert tuple(INTERIORS) == METHOD_NAMES
 
 
 def test_an_unknown_method_gets_the_nearest_name() -> None:
@@ -63,6 +64,7 @@ def test_many_times_at_once_are_the_same_one_by_one(method: str) -> None:
 
 
 @ALL
+@settings(max_examples=30)
 @given(matrix=affine_maps())
 def test_affine_image_gives_affine_frames(method: str, matrix: Floats) -> None:
     vertices, quads = grid(4, 2)
