@@ -48,26 +48,33 @@ def slid(contours: Contours, pull: Floats, nodes: Index, quads: Index, triangles
     for faces in (quads, triangles):
         together[faces[:, :, None], faces[:, None, :]] = True
     nodes = nodes.copy()
+    price = np.zeros((count, len(steps)))
+    stale = np.ones(count, dtype=bool)  # nodes whose prices a move has changed
     for _ in range(SWEEPS):
-        before, after = np.roll(nodes, 1)[:, None], np.roll(nodes, -1)[:, None]
+        here = nodes[stale, None]
+        before, after = np.roll(nodes, 1)[stale, None], np.roll(nodes, -1)[stale, None]
         places = (nodes[:, None] + steps) % total
-        price = side_prices(arc_waste(contours, before, places))
-        price += side_prices(arc_waste(contours, places, after)) - pull[places]
+        price[stale] = side_prices(arc_waste(contours, before, places[stale]))
+        price[stale] += side_prices(arc_waste(contours, places[stale], after)) - pull[places[stale]]
         for faces, prices in ((quads, quad_prices), (triangles, triangle_prices)):
-            for corner in range(faces.shape[1] if len(faces) else 0):
-                samples = np.repeat(nodes[faces][:, None], len(steps), axis=1)  # (F, steps, K)
-                samples[:, :, corner] = places[faces[:, corner]]
+            for corner in range(faces.shape[1]):
+                some = faces[stale[faces[:, corner]]]
+                samples = np.repeat(nodes[some][:, None], len(steps), axis=1)  # (F, steps, K)
+                samples[:, :, corner] = places[some[:, corner]]
                 figures = face_figures(contours.points[:, samples])
-                np.add.at(price, faces[:, corner], prices(figures))
-        gap_before, gap_after = (nodes[:, None] - before) % total, (after - nodes[:, None]) % total
-        price[(steps <= -gap_before) | (steps >= gap_after)] = np.inf
+                np.add.at(price, some[:, corner], prices(figures))
+        blocked = (steps <= -((here - before) % total)) | (steps >= (after - here) % total)
+        price[stale] = np.where(blocked, np.inf, price[stale])
+
         best = price.argmin(axis=1)
         gain = price[:, 0] - price.min(axis=1)
         free = gain > LEAST_GAIN
         if not free.any():
             break
+        stale[:] = False
         for node in np.argsort(-gain, kind="stable").tolist():
             if free[node]:
                 nodes[node] = places[node, best[node]]
                 free &= ~together[node]
+                stale |= together[node]
     return nodes
