@@ -82,10 +82,8 @@ class Footprint:
         w = np.maximum(h[2, 0] * x + h[2, 1] * y + h[2, 2], self.least).astype(np.float32)
         fall = h[2, 0] * dx + h[2, 1] * dy
         across, down = h[:2, :2] @ self.direction
-        along = np.hypot(
-            (across - u * fall).astype(np.float32), (down - v * fall).astype(np.float32)
-        )
-        along /= w
+        run, rise = (across - u * fall).astype(np.float32), (down - v * fall).astype(np.float32)
+        along = np.sqrt(run * run + rise * rise) / w
         area = np.float32(abs(np.linalg.det(h))) / w**3
         size = np.maximum(along / np.float32(self.probes), area / along)
         return np.asarray(np.log2(np.maximum(size, np.float32(1))))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from shapetween.arrays import Floats, Mask, Points
 from shapetween.image.faces import FaceMap, Footprint
 from shapetween.image.light import FULL, Shares
-from shapetween.image.picture import Picture, Texels, colours_at
+from shapetween.image.picture import Picture, Texels, colours_at, fourfold
 
 __all__ = ["Texture"]
 
@@ -60,10 +60,10 @@ class Texture:
         """
         probes = self.footprint.probes
         dx, dy = self.footprint.direction
-        total = np.zeros((len(x), 4), np.float32)
-        for k in range(probes):
-            step = (k + 0.5) / probes - 0.5
-            total += self._once(x + step * dx, y + step * dy) if probes > 1 else self._once(x, y)
+        steps = (np.arange(probes) + 0.5) / probes - 0.5
+        total = self._once(x + steps[0] * dx, y + steps[0] * dy)
+        for step in steps[1:]:
+            total += self._once(x + step * dx, y + step * dy)
         total *= np.float32(1 / (FULL * probes))
         return total
 
@@ -76,7 +76,7 @@ class Texture:
             level = np.minimum(self.footprint.level(x, y, u, v), len(levels) - 1)
             colours = _between_levels(levels, level, u, v)
         if self.beyond.any():
-            colours *= self._inside(u, v)[:, None]
+            colours *= fourfold(self._inside(u, v))
         return colours
 
     def _inside(self, u: Floats, v: Floats) -> Shares:
@@ -100,7 +100,7 @@ def _between_levels(
         if high > low:
             coarse = colours_at(levels[high], u / 2**high, v / 2**high)
             coarse -= colours
-            coarse *= (level - np.float32(low))[:, None]
+            coarse *= fourfold(level - np.float32(low))
             colours += coarse
         return colours
     colours = np.zeros((len(u), 4), np.float32)

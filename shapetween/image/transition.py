@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.arrays import Affine, Floats, times
+from shapetween.arrays import Affine, Floats, Index, times
 from shapetween.errors import OptionError
 from shapetween.image.coverage import coverage
 from shapetween.image.layers import Layer
 from shapetween.image.light import FULL, Bytes, Light, Shares, encode
-from shapetween.image.picture import Picture
+from shapetween.image.picture import Picture, fourfold
 from shapetween.image.sampling import Texture
 from shapetween.mesh import MeshPair
 
@@ -218,12 +218,27 @@ def _draw(
             y = rows.astype(np.float64) + (cover.top + start + 0.5)
             colours = np.zeros((len(x), 4), np.float32)
             for texture, share in textures:
-                colours += np.float32(share) * texture.at(x, y)
-            colours *= shares[rows, columns, None]
-            sheet[rows + (cover.top + start - top), columns + (cover.left - left)] += colours
+                seen_there = texture.at(x, y)
+                seen_there *= np.float32(share)
+                colours += seen_there
+            colours *= fourfold(shares[rows, columns])
+            _add(sheet, rows + (cover.top + start - top), columns + (cover.left - left), colours)
     place = canvas[top:bottom, left:right]
-    place *= 1 - np.minimum(sheet[..., 3:], 1)
+    gap = 1 - np.minimum(sheet[..., 3].reshape(-1), 1)
+    place *= fourfold(gap).reshape(sheet.shape)
     place += sheet
+
+
+def _add(sheet: Shares, rows: Index, columns: Index, colours: Shares) -> None:
+    """Add colours, (N, 4), to as many different pixels of a sheet.
+
+    Pixels are fetched and put back as one number of 16 bytes each, which takes a third of the
+    time of four.
+    """
+    pixels = sheet.reshape(-1).view(np.complex128)
+    index = rows * sheet.shape[1] + columns
+    colours += pixels.take(index).view(np.float32).reshape(-1, 4)
+    pixels[index] = colours.reshape(-1).view(np.complex128)
 
 
 def _dissolved(lights: tuple[Light, Light], t: float) -> Shares:

@@ -87,7 +87,7 @@ def _compressed(pixels: Bytes) -> tuple[bytes, bytes]:
     plain = image.fromarray(indices)
     plain.putpalette(table)
     still = io.BytesIO()
-    plain.save(still, "GIF", optimize=False)
+    plain.save(still, "GIF", optimize=False, interlace=False)
     data = still.getvalue()
     place = 13 + _table_size(data[10])
     while data[place] != 0x2C:  # extensions, in blocks that say their length
