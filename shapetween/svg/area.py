@@ -33,7 +33,7 @@ STRAIGHT = 1e-9
 
 #: Edges whose boxes meet, for each edge, up to which an outline that is not simple is cut where it
 #: crosses itself. Drawn shapes have a handful; scribbles with more would take minutes.
-MOST_MEETINGS = 50
+MOST_MEETINGS = 12
 
 #: Edges of which the meetings are counted.
 SAMPLED_EDGES = 200

@@ -38,7 +38,7 @@ LOST_CROSSING = "a shape that crosses itself too often was not clipped, or did n
 LEAST_CUT = 1e-5
 
 #: What cutting takes besides its points, as a number of points.
-CLIP_WORK = 20
+CLIP_WORK = 100
 
 #: Clip paths that clip clip paths; more is taken for a circle.
 MOST_NESTED = 8

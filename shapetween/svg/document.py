@@ -3,6 +3,7 @@
 from collections import Counter
 from xml.etree.ElementTree import Element
 
+from shapetween.paint import Stop
 from shapetween.svg.limits import Limits
 from shapetween.svg.pathdata import PathData
 from shapetween.svg.style import Cascade
@@ -61,6 +62,8 @@ class Document:
     cascade : Cascade
     losses : Losses
         Filled as the document is drawn.
+    stops : dict
+        Stops of gradients at an opacity, without any that they inherit.
     geometry : dict
         What elements draw in viewports, kept for those that are drawn again.
 
@@ -85,6 +88,7 @@ class Document:
             identity = element.get("id")
             if identity:
                 self.ids.setdefault(identity, element)
+        self.stops: dict[tuple[Element, float], tuple[Stop, ...]] = {}
         self.geometry: dict[tuple[Element, Viewport], PathData] = {}
         self._parents: dict[Element, Element] | None = None
 

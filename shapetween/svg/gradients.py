@@ -24,8 +24,8 @@ GRADIENTS = frozenset({"linearGradient", "radialGradient"})
 #: Gradients that refer to gradients; more is taken for a circle.
 MOST_REFERENCES = 16
 
-#: Stops of a gradient that are read: as many as there are steps of a colour.
-MOST_STOPS = 256
+#: Stops of a gradient that are read; more cannot be told apart.
+MOST_STOPS = 100
 
 _BLACK = Colour()
 
@@ -131,24 +131,28 @@ def _chain(document: Document, element: Element) -> list[Element]:
 def _stops(document: Document, chain: list[Element], alpha: float) -> tuple[Stop, ...]:
     """Stops of the first gradient in a chain that has any."""
     for link in chain:
-        elements = [child for child in link if local_name(child) == "stop"]
-        if not elements:
-            continue
-        inherited = document.cascade.properties(link, {})
-        stops = []
-        reached = 0.0
-        if len(elements) > MOST_STOPS:
-            document.losses.add("a gradient of too many stops was cut short")
-        for element in elements[:MOST_STOPS]:
-            properties = document.cascade.properties(element, inherited)
-            offset = number(element.get("offset"))
-            reached = max(reached, min(1.0, max(0.0, offset or 0.0)))
-            opacity = number(properties.get("stop-opacity"))
-            share = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
-            colour = colour_of(properties, "stop-color")
-            stops.append(Stop(reached, with_alpha(colour, share * alpha)))
-        return tuple(stops)
+        if (link, alpha) not in document.stops:
+            document.stops[link, alpha] = _own_stops(document, link, alpha)
+        if stops := document.stops[link, alpha]:
+            return stops
     return ()
+
+
+def _own_stops(document: Document, element: Element, alpha: float) -> tuple[Stop, ...]:
+    elements = [child for child in element if local_name(child) == "stop"]
+    if len(elements) > MOST_STOPS:
+        document.losses.add("a gradient of too many stops was cut short")
+    inherited = document.cascade.properties(element, {})
+    stops = []
+    reached = 0.0
+    for stop in elements[:MOST_STOPS]:
+        properties = document.cascade.properties(stop, inherited)
+        offset = number(stop.get("offset"))
+        reached = max(reached, min(1.0, max(0.0, offset or 0.0)))
+        opacity = number(properties.get("stop-opacity"))
+        share = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
+        stops.append(Stop(reached, with_alpha(colour_of(properties, "stop-color"), share * alpha)))
+    return tuple(stops)
 
 
 def _linear(values: Mapping[str, str], viewport: Viewport) -> tuple[float, ...]:

@@ -13,6 +13,9 @@ import cssselect2
 
 __all__ = ["compile_selectors", "matches"]
 
+#: Steps that making an element for the matcher counts for.
+NEW_ELEMENT = 5
+
 
 def compile_selectors(prelude: Sequence[Any]) -> list[Any] | None:
     """The selectors in front of a rule's block; None if one is not understood.
@@ -98,5 +101,5 @@ class _CountedElement(cssselect2.ElementWrapper):  # type: ignore[misc]
 
     def iter_children(self) -> Iterator[Any]:
         for child in super().iter_children():
-            self.spend_steps(1)
+            self.spend_steps(NEW_ELEMENT)
             yield child
