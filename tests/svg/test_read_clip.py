@@ -1,0 +1,78 @@
+"""Clip paths: what they leave alone, cut, and hide."""
+
+import numpy as np
+import pytest
+
+from shapetween.drawing import Drawing
+from shapetween.errors import InputError
+from shapetween.svg.read import read_svg
+
+HALF = '<clipPath id="c"><rect width="50" height="100"/></clipPath>'
+
+
+def read(body: str) -> Drawing:
+    root = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">'
+    return read_svg(f"{root}{body}</svg>".encode(), "a.svg")
+
+
+def area(drawing: Drawing) -> float:
+    return abs(sum(ring.area for shape in drawing.shapes for ring in shape.rings))
+
+
+def test_an_untouched_shape_keeps_its_curves() -> None:
+    circle = '<circle cx="25" cy="50" r="25" {}/>'
+    (plain,) = read(circle.format("")).shapes
+    (clipped,) = read(HALF + circle.format('clip-path="url(#c)"')).shapes
+    np.testing.assert_array_equal(clipped.rings[0].curves, plain.rings[0].curves)
+
+
+def test_a_cut_circle_is_half_of_it_in_few_curves() -> None:
+    drawing = read(HALF + '<circle cx="50" cy="50" r="30" clip-path="url(#c)"/>')
+    (ring,) = drawing.shapes[0].rings
+    assert len(ring.curves) <= 4
+    assert area(drawing) == pytest.approx(np.pi * 30**2 / 2, rel=1e-3)
+
+
+def test_a_hidden_shape_is_gone() -> None:
+    with pytest.raises(InputError):
+        read(HALF + '<circle cx="80" cy="50" r="20" clip-path="url(#c)"/>')
+
+
+@pytest.mark.parametrize(
+    ("rule", "expected"), [("nonzero", 40.0 * 40.0), ("evenodd", 40.0 * 40.0 - 20.0 * 20.0)]
+)
+def test_fill_rules_of_clips(rule: str, expected: float) -> None:
+    path = f'<path clip-rule="{rule}" d="M10 10h40v40h-40zM20 20h20v20h-20z"/>'
+    body = f'<clipPath id="c">{path}</clipPath><rect width="90" height="90" clip-path="url(#c)"/>'
+    assert area(read(body)) == pytest.approx(expected)
+
+
+def test_clips_of_groups_and_of_clips_meet() -> None:
+    body = (
+        '<clipPath id="d"><rect height="50" width="100"/></clipPath>'
+        '<clipPath id="e" clip-path="url(#d)"><rect x="40" width="60" height="100"/></clipPath>'
+        f'{HALF}<g clip-path="url(#c)"><rect width="90" height="90" clip-path="url(#e)"/></g>'
+    )
+    assert area(read(body)) == pytest.approx(10 * 50)
+
+
+def test_a_cut_stroke_becomes_an_area() -> None:
+    line = '<path d="M0 50H100" stroke="red" stroke-width="10" clip-path="url(#c)"/>'
+    drawing = read(HALF + line)
+    assert drawing.shapes[0].style.stroke is None
+    assert area(drawing) == pytest.approx(50 * 10)
+
+
+def test_a_nested_viewport_hides_what_is_outside() -> None:
+    body = '<svg x="10" y="10" width="20" height="30" {}><rect width="90" height="90"/></svg>'
+    assert area(read(body.format(""))) == pytest.approx(600)
+    assert area(read(body.format('overflow="visible"'))) == pytest.approx(8100)
+
+
+def test_a_clip_in_units_of_the_box() -> None:
+    body = (
+        '<clipPath id="c" clipPathUnits="objectBoundingBox">'
+        '<rect width=".5" height=".5"/></clipPath>'
+        '<rect x="10" y="20" width="40" height="60" clip-path="url(#c)"/>'
+    )
+    assert area(read(body)) == pytest.approx(20 * 30)
