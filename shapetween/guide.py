@@ -13,6 +13,7 @@ import numpy as np
 from shapetween.arrays import Floats, Index, Mask, Points, Quads
 from shapetween.geometry.homography import (
     homogeneous_weights,
+    homography_jacobians,
     quad_homographies,
     triangle_affinities,
 )
@@ -67,24 +68,15 @@ class QuadGuide:
     ----------
     tween : Tween
         Moves the quads' vertices.
-    quads : (T, 4) intp
-        The quad that leads each triangle.
-    source : (T, 4, 2) float64
-        Its corners at the start.
-    places : (T, 2) float64
-        Where its homography is read.
     follows : (T,) bool
         Which triangles are led; the others' Jacobians are their own.
     """
 
     tween: Tween
-    quads: Index
-    source: Quads
-    places: Points
     follows: Mask
-    _angles: Floats
-    _stretches: Floats
-    _roots: Floats
+    _forth: "_Lead"
+    _back: "_Lead"
+    _whole: Floats
 
     @classmethod
     def of(cls, pair: MeshPair, tween: Tween, source: Points, target: Points) -> "QuadGuide | None":
@@ -98,25 +90,20 @@ class QuadGuide:
         source, target : (T, 3, 2) float64
             Corners of the triangles to be led, at both ends.
         """
-        centroids, jacobians = source.mean(axis=1), triangle_affinities(source, target)
-        good = np.flatnonzero(usable_quads(pair, tween))
+        good = pair.quads[usable_quads(pair, tween)]
         if not len(good):
             return None
-        corners = pair.source[pair.quads[good]]
-        nearest, places = _nearest_quads(centroids, corners)
-        quads = pair.quads[good[nearest]]
-        start = corners[nearest]
-        end = _jacobians(start, pair.target[quads], places)
-        residual = np.linalg.inv(end) @ jacobians
-        areas = np.linalg.det(residual)
-        sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
-        angles, stretches = polar(np.where(sound[:, None, None], residual, np.eye(2)))
-        follows = sound & (np.abs(angles) < LARGEST_TURN)
-        roots = np.sqrt(np.abs(np.linalg.det(jacobians)))
-        return cls(tween, quads, start, places, follows, angles, stretches, roots)
+        whole = triangle_affinities(source, target)
+        forth = _Lead.of(good, pair.source, pair.target, source.mean(axis=1), whole)
+        inverse = triangle_affinities(target, source)
+        back = _Lead.of(good, pair.target, pair.source, target.mean(axis=1), inverse)
+        return cls(tween, forth.sound & back.sound, forth, back, whole)
 
     def __call__(self, t: Floats, own: Floats) -> Floats:
         """Wanted Jacobians at the times (F,), (F, T, 2, 2).
+
+        What the quads ask seen from the start fades into what they ask seen from the end, so that
+        backwards in time the same is asked.
 
         Parameters
         ----------
@@ -124,27 +111,66 @@ class QuadGuide:
         own : (F, T, 2, 2) float64
             What the triangles would do by themselves; those that are not led keep to it.
         """
-        corners = self.tween.vertices(t)[:, self.quads]
-        wanted = _jacobians(self.source, corners, self.places)
-        wanted = wanted @ linear_between(self._angles, self._stretches, t)
+        vertices = self.tween.vertices(t)
+        time = t[:, None, None, None]
+        wanted = (1 - time) * self._forth.jacobians(vertices, t)
+        wanted += time * (self._back.jacobians(vertices, 1 - t) @ self._whole)
         size = np.sqrt(np.abs(np.linalg.det(wanted)))
-        straight = (1 - t)[:, None] + t[:, None] * self._roots
+        straight = (1 - t)[:, None] + t[:, None] * np.sqrt(np.linalg.det(self._whole))
         factor = (straight / np.where(size > 0, size, 1.0)) ** AREA_EXPONENT
-        led = factor[..., None, None] * wanted
-        return np.where(self.follows[:, None, None], led, own)
+        return np.where(self.follows[:, None, None], factor[..., None, None] * wanted, own)
 
 
-def _jacobians(source: Quads, target: Quads, points: Points) -> Floats:
-    """Jacobian of each homography at one point: source (T, 4, 2), target (..., T, 4, 2)."""
-    centre = source.mean(axis=-2)
-    local = np.broadcast_to(source - centre[:, None], target.shape)
-    matrix = quad_homographies(local, target)
-    point = points - centre
-    w = (matrix[..., 2, :2] * point).sum(-1) + matrix[..., 2, 2]
-    image = (matrix[..., :2, :2] @ point[..., None])[..., 0] + matrix[..., :2, 2]
-    image = image / w[..., None]
-    outer = image[..., :, None] * matrix[..., 2, None, :2]
-    return np.asarray((matrix[..., :2, :2] - outer) / w[..., None, None])
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lead:
+    """What quads ask of triangles, seen from one end of the movement.
+
+    Attributes
+    ----------
+    quads : (Q, 4) intp
+        Quads that lead.
+    start : (Q, 4, 2) float64
+        Their corners at this end.
+    leader : (T,) intp
+        The quad that leads each triangle.
+    places : (T, 2) float64
+        Where its homography is read.
+    sound : (T,) bool
+        Triangles that end near where their quad takes them.
+    angles, stretches : (T,), (T, 2, 2) float64
+        What they have to make good, taken apart.
+    """
+
+    quads: Index
+    start: Quads
+    leader: Index
+    places: Points
+    sound: Mask
+    angles: Floats
+    stretches: Floats
+
+    @classmethod
+    def of(
+        cls, quads: Index, here: Points, there: Points, centroids: Points, whole: Floats
+    ) -> "_Lead":
+        start = here[quads]
+        leader, places = _nearest_quads(centroids, start)
+        end = homography_jacobians(quad_homographies(start, there[quads])[leader], places[:, None])[
+            :, 0
+        ]
+        residual = np.linalg.inv(end) @ whole
+        areas = np.linalg.det(residual)
+        sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
+        angles, stretches = polar(np.where(sound[:, None, None], residual, np.eye(2)))
+        sound &= np.abs(angles) < LARGEST_TURN
+        return cls(quads, start, leader, places, sound, angles, stretches)
+
+    def jacobians(self, vertices: Points, t: Floats) -> Floats:
+        """Jacobians from this end to the vertices (F, V, 2), `t` from this end, (F, T, 2, 2)."""
+        moved = vertices[:, self.quads]
+        matrices = quad_homographies(np.broadcast_to(self.start, moved.shape), moved)
+        led = homography_jacobians(matrices[:, self.leader], self.places[:, None])[:, :, 0]
+        return np.asarray(led @ linear_between(self.angles, self.stretches, t))
 
 
 def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:

@@ -54,13 +54,8 @@ class Region:
 
     @property
     def centre(self) -> Points:
-        """Centroid of the outer ring, (2,)."""
-        points = flatten(self.outer.curves, 4)
-        following = np.roll(points, -1, axis=0)
-        origin = points.mean(axis=0)
-        a, b = points - origin, following - origin
-        weight = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-        return np.asarray(origin + ((a + b) * weight[:, None]).sum(axis=0) / (3 * weight.sum()))
+        """Middle of the outer ring's box, (2,)."""
+        return np.asarray(self.outer.box.mean(axis=0))
 
 
 def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
@@ -123,7 +118,9 @@ def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
                 break
             fixed = shapely.make_valid(polygon)
             if abs(float(fixed.area) / abs(ring.area) - 1) <= NEGLIGIBLE:
-                parts = [p for p in shapely.get_parts(fixed) if p.geom_type == "Polygon"]
+                # Parts of parts: a collection may hold a multipolygon.
+                parts = shapely.get_parts(shapely.get_parts(fixed))
+                parts = [part for part in parts if part.geom_type == "Polygon"]
                 polygon = max(parts, key=shapely.area)
                 break
         else:

@@ -130,11 +130,11 @@ def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Obser
         inner = np.setdiff1d(np.arange(len(mesh.source)), cycle)
         order = np.concatenate([cycle, inner])
         rank = np.argsort(order)
-        vertices = [
+        ends = [
             np.concatenate([np.roll(nodes, -first, axis=0), given[inner]])
             for nodes, given in zip(on, (mesh.source, mesh.target), strict=True)
         ]
-        pair = MeshPair(*vertices, rank[mesh.quads], rank[mesh.triangles])
+        pair = MeshPair(ends[0], ends[1], rank[mesh.quads], rank[mesh.triangles])
         samples = outlines.samples(SAMPLES)
         kept = np.abs(samples.w[:, None] - w).argmin(axis=0)
     return RingMatch(source, target, False, matching, outlines, samples, kept, pair, "given")

@@ -30,6 +30,9 @@ __all__ = ["bare", "unfolded"]
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.
 TOLERANCES = (0.03, 0.012, 0.005)
 
+#: Stands in for triangles whose own shape cannot be used.
+ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+
 #: Greatest distance of neighbouring nodes in the same unit.
 SPAN = 0.6
 
@@ -112,6 +115,8 @@ def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | No
         points[mesh.triangles[mesh.inside]] / size
         for points, size in zip((mesh.source, mesh.target), sizes, strict=True)
     ]
+    for half in corners:  # triangles turned over are led nowhere, and must not be in the way
+        half[mesh.turned[mesh.inside]] = ANY_TRIANGLE
     guide = QuadGuide.of(posed, tween(posed, method), *corners)
     if guide is None:
         return None, 0.0

