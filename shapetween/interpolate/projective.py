@@ -25,7 +25,7 @@ from shapetween.interpolate.quads import QuadMotion, check_quads
 from shapetween.interpolate.rigid import RigidFaces
 from shapetween.mesh import MeshPair
 
-__all__ = ["PaperProjective", "Projective"]
+__all__ = ["AlignedFaces", "PaperProjective", "Projective"]
 
 #: Source radius at which the paper's line turns. The paper warns of small ones, which bend the
 #: movement of every quad; from 10 on it is the limit's but for some ten-thousandths.
@@ -39,7 +39,7 @@ LOOKS = 33
 KEPT_SINE = 0.25
 
 
-class _AlignedFaces(ABC):
+class AlignedFaces(ABC):
     """Faces moved alone, then pulled together into one mesh: [WKD07]_, section 5."""
 
     def __init__(self, pair: MeshPair, weights: Floats) -> None:
@@ -64,7 +64,7 @@ class _AlignedFaces(ABC):
         return self._alignment.residual(corners, self._alignment.vertices(corners))
 
 
-class Projective(_AlignedFaces):
+class Projective(AlignedFaces):
     """A mesh pair moved projectively, its corners as rigidly as they can be.
 
     Parameters
@@ -132,7 +132,7 @@ def _paper_motion(quads: RigidFaces, chosen: Index, backward: bool) -> QuadMotio
     return replace(motion, angles=motion.angles + turn * np.round((wanted - motion.angles) / turn))
 
 
-class PaperProjective(_AlignedFaces):
+class PaperProjective(AlignedFaces):
     """A mesh pair moved by the paper's own form of the projective method.
 
     Parameters
