@@ -14,6 +14,7 @@ COMMANDS = {
     "morph": ("shapetween.cli.pair", "Write one animated SVG that moves from A to B."),
     "frames": ("shapetween.cli.pair", "Write one SVG a frame."),
     "mesh": ("shapetween.cli.pair", "Show what goes where, or keep the mesh."),
+    "compare": ("shapetween.cli.compare", "Show every method side by side, with figures."),
     "image": ("shapetween.cli.image", "Turn quads of a picture into quads of another."),
 }
 

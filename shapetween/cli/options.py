@@ -91,28 +91,30 @@ class Common:
 
     def prepare(self, a: Path, b: Path, out: Path, progress: Progress) -> "Morph":
         """Check the places to write to, then prepare the movement."""
+        settings = self.settings(a, b, out)
+        with progress("import"):
+            from shapetween.api import morph
+        return morph(a, b, observe=progress, **settings)
+
+    def settings(self, a: Path, b: Path, out: Path) -> dict[str, Any]:
+        """Check the places to write to; what `shapetween.morph` takes besides the drawings."""
         from shapetween import files
 
         outputs = [out, *([self.report] if self.report else [])]
         files.check_outputs(outputs, [a, b, *([self.mesh] if self.mesh else [])])
-        with progress("import"):
-            from shapetween.api import morph
         meshes = None
         if self.mesh is not None:
             from shapetween.meshfile import load_meshes
 
             meshes = dict(load_meshes(files.read_text(self.mesh), str(self.mesh)))
-        return morph(
-            a,
-            b,
-            method=self.method,
-            folds=self.folds,  # type: ignore[arg-type]
-            quads=self.quads,
-            pins=self.pins,
-            mesh=meshes,
-            fit=self.fit,  # type: ignore[arg-type]
-            observe=progress,
-        )
+        return {
+            "method": self.method,
+            "folds": self.folds,
+            "quads": self.quads,
+            "pins": self.pins,
+            "mesh": meshes,
+            "fit": self.fit,
+        }
 
     def finish(self, result: "Morph", out: Path, content: str | list[str], run: Progress) -> None:
         """Write the report if one is wanted, then the output, and say what there is to say."""

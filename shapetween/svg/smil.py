@@ -22,7 +22,7 @@ from shapetween.svg.elements import GradientDefs, add_shape, document, named, te
 from shapetween.svg.numbers import decimals_for, path_data
 from shapetween.tracks import style_tracks
 
-__all__ = ["smil_svg"]
+__all__ = ["add_part", "smil_svg"]
 
 #: Shows the twin instead of the movement. The class names are ours alone, because a page that holds
 #: the drawing shares its style sheet; and without any style sheet the twin stays hidden.
@@ -85,7 +85,7 @@ def smil_svg(
     for part, shape, name in zip(
         movement.parts, movement.at(np.zeros(1))[0].shapes, ids, strict=True
     ):
-        _add_part(moving, part, clock, gradients, name, size * KEYFRAME_TOLERANCE)
+        add_part(moving, part, clock, gradients, name, size * KEYFRAME_TOLERANCE)
         add_shape(still, Shape(shape.rings, shape.style), gradients, {})
     if not len(gradients.element):
         root.remove(gradients.element)
@@ -105,7 +105,7 @@ def _clock(duration: float, easing: str, loop: Loop, keyframes: Literal["auto"] 
     return Clock(Schedule.of(easing, keyframes), False, duration, loop)
 
 
-def _add_part(
+def add_part(
     parent: ET.Element,
     part: Part,
     clock: Clock,

@@ -1,0 +1,54 @@
+"""The command that shows methods side by side."""
+
+from pathlib import Path
+
+import click
+
+from shapetween.cli.options import A, B, Common, common
+from shapetween.errors import OptionError
+from shapetween.progress import Progress
+
+__all__ = ["compare"]
+
+
+@click.command(epilog="Example:  shapetween compare cat.svg dog.svg -o cat-and-dog.html")
+@A
+@B
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(path_type=Path),
+    metavar="OUT.html|OUT.svg|OUT.json",
+    help="A page, the animations alone, or the figures.  [default: A-to-B-compared.html]",
+)
+@click.option(
+    "--duration",
+    type=click.FloatRange(0.001, 86_400),
+    default=2.0,
+    show_default=True,
+    metavar="SECONDS",
+    help="Length of one way, of the animations alone.",
+)
+@common
+def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common) -> None:
+    """Show every method on one pair, with figures: a page that needs nothing else.
+
+    First comes --method where folds are prevented, then every method by itself. All share one
+    matching and one mesh. A method that fails is shown with the reason in its place.
+    """
+    path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
+    form = path.suffix.lower()
+    if form not in (".html", ".htm", ".svg", ".json"):
+        raise OptionError(f"{path}: a comparison is written as .html, .svg or .json")
+    with Progress(quiet=common.quiet) as run:
+        with run("import"):
+            from shapetween.compare import compare as compare_methods
+        result = compare_methods(a, b, observe=run, **common.settings(a, b, path))
+        with run("write"):
+            if form == ".json":
+                text = result.json()
+            elif form == ".svg":
+                text = result.svg(duration=duration)
+            else:
+                text = result.html()
+        common.finish(result.morph, path, text, run)
