@@ -69,11 +69,14 @@ def settle(
     Returns
     -------
     SettledMotion
-        The first without a crossing, else the one with the fewest.
+        The first without a crossing, else the one with the fewest. Where the polygons of the nodes
+        are simple and yet `check` finds crossings, only more nodes can help, and no further
+        setting is tried.
     """
     t = np.linspace(0, 1, CHECKED_TIMES)
     solved = t[::2]
-    look = check or _polygons(mesh)
+    polygons = _polygons(mesh)
+    look = check or polygons
     tried: list[SettledMotion] = []
     for stiffness in ladder:
         motion = PlaneMotion.prepare(mesh, stiffness, target)
@@ -86,6 +89,8 @@ def settle(
         tried.append(SettledMotion(mended, stiffness, t[~look(t, _denser(moved))]))
         if not len(tried[-1].crossing):
             return tried[-1]
+        if check and polygons(solved, moved).all():
+            break
     return min(tried, key=lambda settled: len(settled.crossing))
 
 

@@ -4,7 +4,7 @@ It is built around one of the two and then laid around the other. Where that is 
 triangles stay turned over; they are marked, and the motion leaves them out.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,6 +24,9 @@ FRAME_RADIUS = 1.6
 #: Rings of neighbours refined with triangles that stay turned over. Fewer leave meshes tangled
 #: that more would free; more cost triangles.
 REFINED_RINGS = 2
+#: Share of turned triangles that is left alone: the motion gets by with a few, and patience costs
+#: seconds.
+TOLERATED = 0.03
 #: Least area of a triangle over the square of its longest side. Thinner ones count as turned
 #: over: their Jacobians are rounding error.
 LEAST_ASPECT = 1e-7
@@ -136,6 +139,47 @@ def plane_mesh(
     )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Attempt:
+    """A layout around one shape, laid about the other one's nodes.
+
+    Attributes
+    ----------
+    layout : Layout
+    nodes : (N, 2) float64
+        Nodes of the other shape.
+    swapped : bool
+        Whether the layout was built around the second shape.
+    placed : (V, 2) float64
+        Vertices about the other shape.
+    turned : int
+        How many triangles are turned over there.
+    """
+
+    layout: Layout
+    nodes: Points
+    swapped: bool
+    placed: Points
+    turned: int
+
+    @classmethod
+    def at(
+        cls, layout: Layout, nodes: Points, swapped: bool, *, patient: bool = False
+    ) -> "_Attempt":
+        """Lay a layout about nodes, starting harmonically."""
+        fixed = np.arange(len(layout.points)) < layout.fixed
+        untangler = Untangler.of(layout.points, layout.triangles, fixed)
+        start = layout.points.copy()
+        start[: len(nodes)] = nodes
+        placed, turned = untangler.untangle(untangler.harmonic(start), patient=patient)
+        return cls(layout, nodes, swapped, placed, turned)
+
+    def refined(self) -> "_Attempt":
+        """The same with the triangles split that are turned over, and those about them."""
+        layout = self.layout.refined(_thin(self.placed[self.layout.triangles]), REFINED_RINGS)
+        return _Attempt.at(layout, self.nodes, self.swapped)
+
+
 def _fit(
     first: Points, second: Points, body: AffinePath, rings: Sequence[Index], refine: bool
 ) -> tuple[tuple[Points, Points], Layout]:
@@ -145,34 +189,36 @@ def _fit(
     exactly.
     """
     forth, back = body.matrix, np.linalg.inv(body.matrix)
-    seen: list[tuple[int, bool, Layout, Points]] = []
-    for swapped in (False, True):
-        rest, other = (second, first @ forth.T) if swapped else (first, second @ back.T)
-        radius = FRAME_RADIUS * np.linalg.norm([rest, other], axis=2).max()
-        layout = Layout.around(rest, rings, float(radius))
-        placed, turned = _lay(layout, other)
-        seen.append((turned, swapped, layout, placed))
-        if turned == 0:
+    shapes = (first, second @ back.T), (second, first @ forth.T)
+    best: _Attempt | None = None
+    for attempt in _attempts(shapes, rings, refine):
+        if best is None or attempt.turned < best.turned:
+            best = attempt
+        if not best.turned:
             break
-    for turned, swapped, layout, placed in sorted(seen, key=lambda side: side[0]):
-        if turned == 0 or not refine or min(seen, key=lambda side: side[0])[0] == 0:
-            break
-        bad = _thin(placed[layout.triangles])
-        finer = layout.refined(bad, REFINED_RINGS)
-        again, left = _lay(finer, placed[: len(first)])
-        seen.append((left, swapped, finer, again))
-    _, swapped, layout, placed = min(seen, key=lambda side: side[0])
-    rest = layout.points
-    return ((placed @ back.T, rest) if swapped else (rest, placed @ forth.T)), layout
+    assert best is not None
+    rest, placed = best.layout.points, best.placed
+    return ((placed @ back.T, rest) if best.swapped else (rest, placed @ forth.T)), best.layout
 
 
-def _lay(layout: Layout, nodes: Points) -> tuple[Points, int]:
-    """Vertices of a layout about other nodes, and how many triangles are turned over."""
-    fixed = np.arange(len(layout.points)) < layout.fixed
-    untangler = Untangler.of(layout.points, layout.triangles, fixed)
-    start = layout.points.copy()
-    start[: len(nodes)] = nodes
-    return untangler.untangle(untangler.harmonic(start))
+def _attempts(
+    shapes: tuple[tuple[Points, Points], ...], rings: Sequence[Index], refine: bool
+) -> Iterator[_Attempt]:
+    """Ever dearer ways to fit both shapes: around either, with finer meshes, with more steps."""
+    coarse, fine = [], []
+    for swapped, (rest, other) in enumerate(shapes):
+        radius = FRAME_RADIUS * float(np.linalg.norm([rest, other], axis=2).max())
+        coarse.append(_Attempt.at(Layout.around(rest, rings, radius), other, bool(swapped)))
+        yield coarse[-1]
+    if not refine:
+        return
+    for attempt in sorted(coarse, key=lambda attempt: attempt.turned):
+        fine.append(attempt.refined())
+        yield fine[-1]
+    shares = [attempt.turned / len(attempt.layout.triangles) for attempt in coarse + fine]
+    if min(shares) > TOLERATED:
+        best = min(fine, key=lambda attempt: attempt.turned)
+        yield _Attempt.at(best.layout, best.nodes, best.swapped, patient=True)
 
 
 def _thin(corners: Points) -> Mask:

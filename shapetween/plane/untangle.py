@@ -27,9 +27,9 @@ from shapetween.plane.jacobians import gradients, jacobians
 
 __all__ = ["Untangler"]
 
-#: Least share by which eps falls at a step. Smaller is slower and untangles no more meshes;
-#: larger and the steps lose the path.
-EPS_DECREASE = 0.5
+#: Least share by which eps falls at a step, usually and with patience. Smaller is slower and
+#: untangles more of the hard meshes; larger and the steps lose the path.
+EPS_DECREASE, PATIENT_DECREASE = 0.5, 0.1
 #: Ratio of energies after and before a step above which eps may fall. Smaller loses the path of a
 #: far start; larger waits for nothing.
 SETTLED = 0.8
@@ -37,13 +37,13 @@ SETTLED = 0.8
 FIRST_EPS = 0.2
 #: eps once no triangle is turned over, and where a hopeless search ends.
 LAST_EPS = 1e-7
-#: Steps without fewer turned triangles after which the search ends.
-PATIENCE = 12
+#: Steps without fewer turned triangles after which the search ends, usually and with patience.
+IMPATIENCE, PATIENCE = 12, 60
 #: Steps that even out a mesh without turned triangles. Fewer leave slivers, which make the motion
 #: stiff where they lie; more take time.
 SMOOTHING_STEPS = 6
 #: Steps at most.
-MAX_STEPS = 120
+MAX_STEPS = 250
 #: Armijo's constant, and the shortest step tried.
 SUFFICIENT, SHORTEST = 1e-4, 1e-6
 #: Least eigenvalue of a triangle's Hessian over its largest. Zero makes the matrix singular.
@@ -102,12 +102,14 @@ class Untangler:
         """Area of every triangle over its rest area, (T,)."""
         return np.asarray(np.linalg.det(jacobians(self.hats, points[self.triangles])))
 
-    def untangle(self, points: Points) -> tuple[Points, int]:
+    def untangle(self, points: Points, *, patient: bool = False) -> tuple[Points, int]:
         """Lower the energy until no triangle is turned over, then even the mesh out a little.
 
         Parameters
         ----------
         points : (V, 2) float64
+        patient : bool
+            Whether to go slowly, for what resists the usual way.
 
         Returns
         -------
@@ -116,6 +118,8 @@ class Untangler:
         turned : int
             How many triangles are turned over in it.
         """
+        decrease = PATIENT_DECREASE if patient else EPS_DECREASE
+        patience = PATIENCE if patient else IMPATIENCE
         best, waited, smoothed = (len(self.triangles) + 1, points), 0, 0
         worst = self.determinants(points).min()
         eps = LAST_EPS if worst > 0 else LAST_EPS + FIRST_EPS * abs(worst)
@@ -137,8 +141,8 @@ class Untangler:
             waited = 0 if turned < best[0] else waited + 1
             best = min(best, (turned, points), key=lambda pair: pair[0])
             if after > SETTLED * before:
-                eps = min(eps, _next_eps(eps, worst, EPS_DECREASE))
-            if waited >= PATIENCE or eps < LAST_EPS:
+                eps = min(eps, _next_eps(eps, worst, decrease))
+            if waited >= patience or eps < LAST_EPS:
                 break
         return best[1], best[0]
 

@@ -59,7 +59,7 @@ def test_the_callers_look_decides() -> None:
         return np.asarray((t < 0.25) | (t > 0.25 + 0.01 * len(seen)))
 
     settled = settle(mesh, never)
-    assert len(seen) == 2 * len(LADDER)
+    assert len(seen) == 2  # the nodes themselves do not cross: no other setting would help
     assert settled.stiffness is LADDER[0]
     np.testing.assert_allclose(settled.crossing, [0.25, 0.25625])
 
