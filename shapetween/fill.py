@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 
 import numpy as np
 
@@ -18,13 +19,16 @@ from shapetween.pairing import Thing, pair_things
 from shapetween.parts import FilledPart
 from shapetween.passengers import Passenger
 from shapetween.regions import Region, regions_of
-from shapetween.ring import match_hole, match_outer
-from shapetween.unfold import bare, unfolded
+from shapetween.ring import match_hole, match_outer, next_matches
+from shapetween.unfold import TOLERANCES, bare, unfolded
 
 __all__ = ["FillSettings", "morph_fill"]
 
 #: Most pieces of a shape that move in one plane, kept apart from each other. More cost too much.
 MOST_TOGETHER = 12
+
+#: Next best matchings tried where the best one crosses. More cost seconds and are rarely right.
+OTHER_MATCHINGS = 2
 
 #: Distance of a pin from the pieces it may belong to, as a share of their size.
 PIN_REACH = 0.05
@@ -95,7 +99,7 @@ def _near(region: Region, point: Points) -> bool:
 
 
 def morph_fill(
-    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str]
+    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str], *, alone: bool
 ) -> tuple[FilledPart, tuple[str, ...]]:
     """Prepare the movement of one filled shape, and what there is to warn of.
 
@@ -106,6 +110,8 @@ def morph_fill(
     settings : FillSettings
     names : tuple of str
         What messages call the drawings.
+    alone : bool
+        Whether they are all of their drawings, and may turn as a whole.
     """
     name = first.name or second.name
     with settings.observe("regions"):
@@ -125,6 +131,7 @@ def morph_fill(
             quads=settings.quads,
             pins=settings.pins_for(before[i], after[j]),
             mesh=mesh,
+            upright=not alone or len(pairing.pairs) > 1,
             observe=settings.observe,
         )
         mesh = None
@@ -133,8 +140,8 @@ def morph_fill(
                 f"{f'{name}: ' if name else ''}matched with little certainty; look at the "
                 "matching with 'shapetween mesh' and correct it with --pin"
             )
-        holes, alone = _matched_holes(before[i], after[j], outer, settings)
-        strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in alone]
+        holes, others = _matched_holes(before[i], after[j], outer, settings)
+        strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
         carried, holder = _moved(bodies, settings)
@@ -208,7 +215,22 @@ def _moved(
         together = unfolded([ring for rings in bodies for ring in rings], settings.method)
         if not together.crossing:
             return [together], [0] * len(bodies)
-    alone = [unfolded(rings, settings.method) for rings in bodies]
+    alone = [_alone(rings, settings) for rings in bodies]
     if together is not None and together.crossing <= sum(c.crossing for c in alone):
         return [together], [0] * len(bodies)
     return alone, each
+
+
+def _alone(rings: list[RingMatch], settings: FillSettings) -> Carried:
+    """One body in a plane of its own; where it crosses, by the next best matching."""
+    best = unfolded(rings, settings.method)
+    outer, holes = rings[0], rings[1:]
+    if not best.crossing or outer.found == "given" or len(settings.used_pins):
+        return best
+    for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
+        found = unfolded([other, *holes], settings.method, TOLERANCES[:2])
+        if found.crossing < best.crossing:
+            best = found
+        if not best.crossing:
+            break
+    return best

@@ -126,9 +126,10 @@ def prepare(
     settings = FillSettings(chosen.method, chosen.folds, chosen.quads, pins, meshes, observe)
     warnings = [f"{names[0]}: {w}" for w in source.warnings]
     warnings += [f"{names[1]}: {w}" for w in target.warnings]
+    alone = all(len(side) == 1 for side in shapes)
     pairs: dict[int, Part] = {}
     for i, j in pairing.pairs:
-        part, said = _morph_pair(shapes[0][i], shapes[1][j], settings, names)
+        part, said = _morph_pair(shapes[0][i], shapes[1][j], settings, names, alone=alone)
         pairs[i] = part
         warnings += said
     settings.check_used()
@@ -182,7 +183,7 @@ def _settled(
 
 
 def _morph_pair(
-    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str]
+    first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str], *, alone: bool
 ) -> tuple[Part, tuple[str, ...]]:
     lines = [shape.style.fill is None for shape in (first, second)]
     if all(lines):
@@ -192,7 +193,7 @@ def _morph_pair(
         outlined(shape) if line else shape
         for shape, line in zip((first, second), lines, strict=True)
     )
-    return morph_fill(first, second, settings, names)
+    return morph_fill(first, second, settings, names, alone=alone)
 
 
 def _morph_lines(first: Shape, second: Shape) -> LinePart:

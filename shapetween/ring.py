@@ -1,11 +1,13 @@
 """Matching and meshing two rings, outers by themselves and holes along with their outers."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from shapetween.arclength import ArcLength
 from shapetween.arrays import Points
 from shapetween.body import RingMatch
-from shapetween.correspond import correspond
+from shapetween.correspond import Correspondence, correspond
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.rotation import rotations
 from shapetween.matched import MatchedOutlines
@@ -15,7 +17,7 @@ from shapetween.meshing import mesh_matched
 from shapetween.observe import Observer
 from shapetween.outline import Outline
 
-__all__ = ["match_hole", "match_outer"]
+__all__ = ["match_hole", "match_outer", "next_matches"]
 
 #: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
 #: for nodes and cost the square of it.
@@ -35,6 +37,7 @@ def match_outer(
     quads: int | None,
     pins: Points,
     mesh: MeshPair | None,
+    upright: bool,
     observe: Observer,
 ) -> RingMatch:
     """Match and mesh two outer rings.
@@ -49,6 +52,9 @@ def match_outer(
         Rows ax, ay, bx, by of points that belong together.
     mesh : MeshPair or None
         A mesh to use instead of a found one, its boundary on the outlines.
+    upright : bool
+        Whether the rings are parts of larger drawings, and so are not turned by themselves to
+        match better.
     observe : Observer
         Told of every stage.
 
@@ -57,9 +63,19 @@ def match_outer(
     OutlineError, OptionError, MeshError
         What is wrong with the outlines, the pins, the mesh.
     """
-    if mesh is None:
-        return _found_mesh(source, target, quads, pins, observe)
-    return _given_mesh(source, target, mesh, observe)
+    if mesh is not None:
+        return _given_mesh(source, target, mesh, observe)
+    with observe("match"):
+        matching = correspond(source, target, pins if len(pins) else None)
+        if upright and matching.affine is None and matching.turn != 0:
+            matching = next((m for m in matching.candidates() if m.turn == 0), matching)
+    return _meshed(source, target, matching, quads, pins, observe)
+
+
+def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:
+    """The same two rings by their next best matchings, best first."""
+    for matching in ring.matching.candidates():
+        yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
 
 
 def match_hole(source: Outline, target: Outline, turned: float, observe: Observer) -> RingMatch:
@@ -88,11 +104,15 @@ def match_hole(source: Outline, target: Outline, turned: float, observe: Observe
     return RingMatch(source, target, True, matching, outlines, samples, kept, None, "hole")
 
 
-def _found_mesh(
-    source: Outline, target: Outline, quads: int | None, pins: Points, observe: Observer
+def _meshed(
+    source: Outline,
+    target: Outline,
+    matching: Correspondence,
+    quads: int | None,
+    pins: Points,
+    observe: Observer,
 ) -> RingMatch:
     with observe("match"):
-        matching = correspond(source, target, pins if len(pins) else None)
         places = ArcLength(source), ArcLength(target)
         anchors = np.stack(
             [places[0].nearest(pins[:, :2])[0], places[1].nearest(pins[:, 2:])[0]], axis=1

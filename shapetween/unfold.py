@@ -24,7 +24,7 @@ from shapetween.plane.check import simple_frames
 from shapetween.plane.ladder import CHECKED_TIMES, settle
 from shapetween.plane.mesh import PlaneMesh, plane_mesh
 
-__all__ = ["bare", "unfolded"]
+__all__ = ["TOLERANCES", "bare", "unfolded"]
 
 #: Greatest distance of an outline from its nodes' polygon, as a share of the root of the area:
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.
@@ -37,7 +37,9 @@ ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
 SPAN = 0.6
 
 
-def unfolded(rings: Sequence[RingMatch], method: str) -> Carried:
+def unfolded(
+    rings: Sequence[RingMatch], method: str, tolerances: Sequence[float] = TOLERANCES
+) -> Carried:
     """The first of ever stronger settings that crosses nowhere, else the one that crosses least.
 
     Parameters
@@ -46,9 +48,11 @@ def unfolded(rings: Sequence[RingMatch], method: str) -> Carried:
         At least one of them no hole.
     method : str
         What moves the quads.
+    tolerances : sequence of float
+        How near the nodes' polygon stays to the outline, in the order tried.
     """
     best: Carried | None = None
-    for found in _settings(tuple(rings), method):
+    for found in _settings(tuple(rings), method, tolerances):
         if best is None or found.crossing < best.crossing:
             best = found
         if not best.crossing:
@@ -57,9 +61,11 @@ def unfolded(rings: Sequence[RingMatch], method: str) -> Carried:
     return loose if best is None or loose.crossing < best.crossing else best
 
 
-def _settings(rings: tuple[RingMatch, ...], method: str) -> Iterator[Carried]:
+def _settings(
+    rings: tuple[RingMatch, ...], method: str, tolerances: Sequence[float]
+) -> Iterator[Carried]:
     pair = joined_meshes(rings)
-    for tolerance in TOLERANCES:
+    for tolerance in tolerances:
         nodes = Nodes(
             rings,
             tuple(
