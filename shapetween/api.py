@@ -132,6 +132,7 @@ def morph(
     method: str = "projective",
     quads: int | None = None,
     pins: Iterable[Pin] = (),
+    matches: Iterable[tuple[str, str]] = (),
     mesh: MeshPair | Mapping[str, MeshPair] | None = None,
     fit: Fit = "view",
     folds: Folds = "prevent",
@@ -149,6 +150,8 @@ def morph(
         About how many quads; as few as the shapes need if left out.
     pins : iterable of (ax, ay, bx, by)
         Points that belong together, each in its own drawing's user units.
+    matches : iterable of (str, str)
+        Ids of shapes that become each other.
     mesh : MeshPair, or mapping of shape names to MeshPair, optional
         Meshes to use instead of found ones.
     fit : {"view", "geometry", "none"}
@@ -168,6 +171,7 @@ def morph(
         method=method,
         quads=quads,
         pins=tuple((float(p[0]), float(p[1]), float(p[2]), float(p[3])) for p in pins),
+        matches=tuple(matches),
         meshes={"": mesh} if isinstance(mesh, MeshPair) else dict(mesh or {}),
         fit=fit,
         folds=folds,

@@ -15,7 +15,7 @@ from shapetween.progress import Progress
 if TYPE_CHECKING:
     from shapetween.api import Morph
 
-__all__ = ["METHOD_NAMES", "A", "B", "Common", "Keyframes", "Name", "Pin", "common"]
+__all__ = ["METHOD_NAMES", "A", "B", "Common", "Keyframes", "Match", "Name", "Pin", "common"]
 
 #: `shapetween.interpolate.METHODS` by name, without importing it.
 METHOD_NAMES = ("projective", "projective-2007", "arap", "arap-2000", "linear")
@@ -37,6 +37,21 @@ class Pin(click.ParamType[Any]):
         if len(numbers) != 4 or str(value).count(":") != 1:
             self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28")
         return numbers
+
+
+class Match(click.ParamType[Any]):
+    """``IDA:IDB``: a shape of A and the shape of B that it becomes."""
+
+    name = "IDA:IDB"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Split at the colon."""
+        if isinstance(value, tuple):
+            return value
+        first, colon, second = str(value).partition(":")
+        if not (first and colon and second):
+            self.fail(f"{value!r} is not IDA:IDB, such as tail:tail-fin")
+        return first, second
 
 
 class Name(click.ParamType[Any]):
@@ -82,6 +97,7 @@ class Common:
     folds: str
     quads: int | None
     pins: tuple[tuple[float, float, float, float], ...]
+    matches: tuple[tuple[str, str], ...]
     mesh: Path | None
     fit: str
     precision: int | None
@@ -178,6 +194,13 @@ def common(function: Callable[..., None]) -> Callable[..., None]:
                 multiple=True,
                 help="A point of A and what it becomes in B, each in its file's own units. "
                 "Repeatable.",
+            ),
+            click.option(
+                "--match",
+                "matches",
+                type=Match(),
+                multiple=True,
+                help="Ids of a shape of A and the shape of B that it becomes. Repeatable.",
             ),
             click.option(
                 "--mesh",
