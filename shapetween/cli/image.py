@@ -8,16 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapetween.cli.options import METHOD_NAMES, Name
+from shapetween.cli.options import METHOD_NAMES, Common, Name
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
 if TYPE_CHECKING:
     from shapetween.image.light import Bytes
     from shapetween.image.picture import Picture
+    from shapetween.image.quads import PictureQuad
     from shapetween.image.transition import Transition
 
-__all__ = ["image"]
+__all__ = ["draw_over", "image"]
 
 #: Frames a second and seconds, where neither these nor the number of frames are asked for.
 DEFAULT_FPS, DEFAULT_DURATION = 30.0, 2.0
@@ -218,6 +219,50 @@ def image(
     for warning in (*moving.warnings, *transition.warnings):
         click.echo(f"shapetween: warning: {warning}", err=True)
     click.echo(f"wrote {out}")
+
+
+def draw_over(
+    a: Path, b: Path | None, over: tuple[Path, ...], out: Path | None, common: Common
+) -> None:
+    """Draw what `mesh` was asked for over pictures: quads or a mesh in JSON, or outlines' mesh.
+
+    Parameters
+    ----------
+    a, b : Path
+        One JSON file, or an SVG over each picture.
+    over : tuple of Path
+        A's picture, or A's and B's.
+    out : Path, optional
+        A PNG.
+    common : Common
+    """
+    from shapetween import files
+    from shapetween.image import overlay, sources
+    from shapetween.image.load import read_picture
+
+    out = out or Path(f"{a.stem}-over-{over[0].stem}.png")
+    if out.suffix.lower() != ".png":
+        raise OptionError(f"{out}: with --over the mesh is drawn as .png")
+    if len(over) > 2:
+        raise OptionError(f"--over: {len(over)} pictures; expected A's, or A's and B's")
+    given = [a, *([b] if b else []), *over]
+    files.check_outputs([out], given)
+    with Progress(quiet=common.quiet) as run:
+        pictures = [read_picture(path) for path in over]
+        quads: list[PictureQuad] = []
+        if b is None:
+            quads, meshes = sources.read_json(a)
+        else:
+            found = [pair for _, pair in common.prepare(a, b, out, run).meshes]
+            meshes = sources.lay_over(found, (a, b), (pictures[0], pictures[-1]))
+        sides: tuple[overlay.Side, ...] = ("a", "b")
+        faces = [
+            overlay.faces_of_quads(quads, side) + overlay.faces_of_meshes(meshes, side)
+            for side in sides[: len(pictures)]
+        ]
+        overlay.write_overlay(out, pictures, faces)
+    if not common.quiet:
+        click.echo(f"wrote {out}")
 
 
 def _timing(count: int | None, fps: float | None, duration: float | None) -> tuple[int, float]:

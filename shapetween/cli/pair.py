@@ -113,7 +113,7 @@ def frames(a: Path, b: Path, out: Path | None, count: int, easing: str, common: 
 
 @click.command(epilog="Example:  shapetween mesh cat.svg dog.svg -o cat-to-dog-mesh.svg")
 @A
-@B
+@click.argument("b", type=click.Path(path_type=Path), required=False)
 @click.option(
     "-o",
     "--out",
@@ -121,12 +121,31 @@ def frames(a: Path, b: Path, out: Path | None, count: int, easing: str, common: 
     metavar="OUT.svg|OUT.json",
     help="A picture of both meshes, or the mesh itself.  [default: A-to-B-mesh.svg]",
 )
+@click.option(
+    "--over",
+    type=click.Path(path_type=Path),
+    multiple=True,
+    metavar="PICTURE",
+    help="Draw over A's picture, repeated over B's too, as PNG. A alone may then be the quads or "
+    "the mesh of 'image' in JSON.",
+)
 @common
-def mesh(a: Path, b: Path, out: Path | None, common: Common) -> None:
+def mesh(
+    a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], common: Common
+) -> None:
     """Show what goes where: both shapes with numbered quads and matched nodes.
 
     Ending in .json, OUT is a mesh to keep, edit and give back with --mesh.
     """
+    if over and (b is None) == (a.suffix.lower() == ".json"):
+        from shapetween.cli.image import draw_over
+
+        draw_over(a, b, over, out, common)
+        return
+    if over:
+        raise OptionError("--over: expected quads or a mesh in one JSON file, or two SVGs")
+    if b is None:
+        raise click.UsageError("Missing argument 'B'.")
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
     if path.suffix.lower() not in (".svg", ".json"):
         raise OptionError(f"{path}: a mesh is written as .svg or .json")

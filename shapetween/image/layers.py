@@ -23,6 +23,9 @@ __all__ = ["Layer", "ShownFace"]
 #: Larger gives up straight lines early; smaller lets the map's horizon come near the quad.
 LEAST_SINE = 1e-3
 
+#: Area in pixels below which a face is not drawn: what it would add to a pixel cannot be seen.
+LEAST_AREA = 1e-3
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShownFace:
@@ -127,10 +130,12 @@ class Layer:
             (self.pair.quads, self.bilinear),
             (self.pair.triangles, np.zeros(len(self.pair.triangles), bool)),
         ):
-            if not len(faces):
-                continue
             corners = self.vertices[frame, faces]
-            ends = (self.pair.source[faces], self.pair.target[faces])
+            kept = np.abs(polygon_area(corners)) > LEAST_AREA
+            if not kept.any():
+                continue
+            corners, bilinear = corners[kept], bilinear[kept]
+            ends = (self.pair.source[faces[kept]], self.pair.target[faces[kept]])
             matrices = [projections(corners, end) for end in ends]
             for k, place in enumerate(corners):
                 prints = [Footprint.of(matrix[k], place) for matrix in matrices]

@@ -14,11 +14,12 @@ from shapetween.fit import mapped
 from shapetween.image.light import srgb_to_linear
 from shapetween.image.picture import Picture
 from shapetween.image.quads import PictureQuad, load_quads, meshes_of_quads, quads_of_drawings
+from shapetween.jsonfile import parse
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.paint import Colour
 
-__all__ = ["Moving", "light_of_colour", "read_moving", "read_quads"]
+__all__ = ["Moving", "lay_over", "light_of_colour", "read_json", "read_moving", "read_quads"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,6 +134,21 @@ def _over(drawing: Drawing, picture: Picture) -> Affine:
     return np.column_stack([fit[:, :2], fit[:, 2] - fit[:, :2] @ corner])
 
 
+def read_json(path: Path) -> tuple[list[PictureQuad], list[MeshPair]]:
+    """Quads, or meshes, from whichever of both a JSON file holds.
+
+    Raises
+    ------
+    MeshError
+        If it holds neither, or what it says cannot move.
+    """
+    text = files.read_text(path)
+    data = parse(text, str(path))
+    if isinstance(data, dict) and {"source", "target", "meshes"} & set(data):
+        return [], _read_meshes(path)
+    return load_quads(text, str(path)), []
+
+
 def _read_meshes(path: Path) -> list[MeshPair]:
     """Meshes whose faces can move."""
     from shapetween.meshfile import check_faces, load_meshes
@@ -154,13 +170,34 @@ def _meshes_in_outlines(
     from shapetween.api import morph
 
     drawings = (_drawing(paths[0]), _drawing(paths[1]))
-    found = morph(*drawings, observe=observe).meshes
+    found = [pair for _, pair in morph(*drawings, observe=observe).meshes]
+    return _laid_over(found, drawings, pictures)
+
+
+def lay_over(
+    meshes: Sequence[MeshPair], paths: tuple[Path, Path], pictures: tuple[Picture, Picture]
+) -> list[MeshPair]:
+    """Meshes in the units of two SVG files, in the pixels of the pictures they lie over.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read.
+    """
+    return _laid_over(meshes, (_drawing(paths[0]), _drawing(paths[1])), pictures)
+
+
+def _laid_over(
+    meshes: Sequence[MeshPair],
+    drawings: tuple[Drawing, Drawing],
+    pictures: tuple[Picture, Picture],
+) -> list[MeshPair]:
     fits = [_over(drawing, picture) for drawing, picture in zip(drawings, pictures, strict=True)]
     return [
         MeshPair(
             mapped(pair.source, fits[0]), mapped(pair.target, fits[1]), pair.quads, pair.triangles
         )
-        for _, pair in found
+        for pair in meshes
     ]
 
 

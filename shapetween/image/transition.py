@@ -1,7 +1,7 @@
 """A transition between two pictures, drawn frame by frame."""
 
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
@@ -158,7 +158,9 @@ class Transition:
             _draw(canvas, layer, index, self.pictures, t)
         return encode(canvas, opaque=self.opaque)
 
-    def frames(self, order: Sequence[int] | None = None, workers: int = 1) -> Iterator[Bytes]:
+    def frames(
+        self, order: Sequence[int] | None = None, workers: int = 1
+    ) -> Generator[Bytes, None, None]:
         """Frames one after the other, a few of them drawn at the same time.
 
         Parameters

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy.ndimage import map_coordinates
@@ -28,7 +30,7 @@ def test_colours_are_on_straight_lines_between_pixels(size: tuple[int, int]) -> 
 def test_halved_copies_go_down_to_one_pixel(size: tuple[int, int]) -> None:
     levels = Picture.of(noise(*size)).levels
     assert levels[-1].shape == (1, 1)
-    for fine, coarse in zip(levels, levels[1:], strict=False):
+    for fine, coarse in pairwise(levels):
         assert coarse.shape == tuple((n + 1) // 2 for n in fine.shape)
 
 

@@ -75,7 +75,7 @@ def test_the_choice_spreads_until_nothing_parts() -> None:
 
 def test_a_triangle_keeps_no_quad_waiting() -> None:
     vertices = np.array([[0.0, 0], [50, 0], [50, 50], [0, 50], [90, 20]])
-    pair = MeshPair(vertices, vertices, [[0, 1, 2, 3]], [[1, 4, 2]])
+    pair = MeshPair(vertices, vertices, np.array([[0, 1, 2, 3]]), np.array([[1, 4, 2]]))
     frame = vertices.copy()
     frame[0] += (12, 20)
     chosen = bilinear_quads(pair, (vertices, vertices), frame[None], 0.5)
