@@ -20,6 +20,9 @@ __all__ = ["page_html"]
 #: Frames of a film strip, both ends among them; each is one of `TIMES`.
 STRIP_FRAMES = 7
 
+#: What one way's speed may be multiplied with.
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0)
+
 #: Values that a best one may differ from and share its honour.
 TIE = 1e-4
 
@@ -217,6 +220,10 @@ def _warnings(morph: Morph) -> str:
 
 
 def _controls() -> str:
+    speeds = "".join(
+        f'<option value="{speed:g}"{" selected" * (speed == 1)}>{speed:g}&times;</option>'
+        for speed in SPEEDS
+    )
     return (
         '<div class="controls" role="group" aria-label="Playback">\n'
         '<button id="play" type="button" aria-label="Play" title="Play or pause (space)">'
@@ -224,9 +231,7 @@ def _controls() -> str:
         '<path class="stop" d="M5 3h4v14H5zM11 3h4v14h-4z"/></svg></button>\n'
         '<input id="time" type="range" min="0" max="1" step="0.001" value="0" aria-label="Time">\n'
         '<output id="clock" for="time">0.00</output>\n'
-        '<label>Speed <select id="speed"><option value="0.1">0.1&times;</option>'
-        '<option value="0.25">0.25&times;</option><option value="0.5">0.5&times;</option>'
-        '<option value="1" selected>1&times;</option><option value="2">2&times;</option></select></label>\n'
+        f'<label>Speed <select id="speed">{speeds}</select></label>\n'
         '<label class="tick"><input id="mesh" type="checkbox"> Mesh</label>\n</div>\n'
     )
 
