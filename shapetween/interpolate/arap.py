@@ -20,6 +20,7 @@ from shapetween.arrays import Floats, Index, Points, times
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
 from shapetween.interpolate.faces import both_areas, shared_edges, split_quads
+from shapetween.interpolate.refine import refined
 from shapetween.mesh import MeshPair
 from shapetween.plane.jacobians import gradients, jacobians
 
@@ -163,19 +164,22 @@ class Arap:
     Notes
     -----
     Triangles count by their area [BBA08]_, which makes the energy an integral over the shape;
-    angles are coherent [CS03]_; and the energy takes source and target alike, so that the way
-    back is the same.
+    angles are coherent [CS03]_; the energy takes source and target alike, so that the way back is
+    the same; and the triangles are those of a mesh with inner points (`refined`), on which limbs
+    bend more evenly.
     """
 
     def __init__(self, pair: MeshPair) -> None:
-        triangles = split_quads(pair)
-        areas = np.abs([polygon_area(points[triangles]) for points in (pair.source, pair.target)])
-        # |J_A|^2 a has no units but J_A's image has; so has |J_B|^2 b, and the two are alike.
-        self._fit = JacobianFit(pair, triangles, areas)
+        self._count = len(pair.source)
+        finer = refined(pair)
+        triangles = split_quads(finer)
+        areas = np.abs([polygon_area(points[triangles]) for points in (finer.source, finer.target)])
+        self._fit = JacobianFit(finer, triangles, areas)
         angles, self._stretches = polar(self._fit.jacobians)
         self._angles = coherent_angles(angles, shared_edges([triangles]), areas.sum(axis=0))
 
     def vertices(self, t: ArrayLike) -> Points:
         """All vertices at the times (F,), shape (F, V, 2); exactly the pair's own at 0 and 1."""
         moments = times(t)
-        return self._fit.vertices(linear_between(self._angles, self._stretches, moments), moments)
+        wanted = linear_between(self._angles, self._stretches, moments)
+        return self._fit.vertices(wanted, moments)[:, : self._count]

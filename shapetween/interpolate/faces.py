@@ -7,7 +7,14 @@ from shapetween.errors import DegenerateQuadError, MeshError
 from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.mesh import MeshPair
 
-__all__ = ["both_areas", "check_triangles", "connected_parts", "shared_edges", "split_quads"]
+__all__ = [
+    "both_areas",
+    "check_triangles",
+    "connected_parts",
+    "mesh_edges",
+    "shared_edges",
+    "split_quads",
+]
 
 #: Least sine of a triangle's corner. Larger refuses thin but sound triangles; smaller lets the
 #: rotation that is read off the matrix be rounding error.
@@ -63,6 +70,13 @@ def both_areas(pair: MeshPair, faces: list[Index], parts: Index) -> Floats:
         areas = np.concatenate([np.abs(polygon_area(points[f])) for f in faces])
         total += areas / np.bincount(parts, weights=areas)[parts]
     return total
+
+
+def mesh_edges(faces: list[Index]) -> tuple[Index, Index]:
+    """Edges of faces, (E, 2) in ascending order, and how many faces each belongs to, (E,)."""
+    sides = [np.stack([f, np.roll(f, -1, axis=1)], axis=-1).reshape(-1, 2) for f in faces]
+    edges, count = np.unique(np.sort(np.concatenate(sides), axis=1), axis=0, return_counts=True)
+    return edges, count
 
 
 def _least_sines(pair: MeshPair, triangles: Index) -> Floats:

@@ -17,7 +17,7 @@ from shapetween.measures.paths import (
     straightness,
     travel,
 )
-from shapetween.measures.summary import Figures, Measured, boundary_edges, measure, mesh_edges
+from shapetween.measures.summary import Figures, Measured, boundary_edges, measure
 
 __all__ = [
     "Figures",
@@ -31,7 +31,6 @@ __all__ = [
     "fundamental_matrix",
     "isometric_distortion",
     "measure",
-    "mesh_edges",
     "overshoot",
     "reversibility",
     "roughness",

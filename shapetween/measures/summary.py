@@ -7,12 +7,13 @@ import numpy as np
 from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import corner_sines, polygon_area, rms_radius
 from shapetween.interpolate import INTERIORS, tween
+from shapetween.interpolate.faces import mesh_edges
 from shapetween.interpolate.inside import Inside
 from shapetween.interpolate.projective import AlignedFaces
 from shapetween.measures import distortion, paths
 from shapetween.mesh import MeshPair
 
-__all__ = ["Figures", "Measured", "boundary_edges", "measure", "mesh_edges"]
+__all__ = ["Figures", "Measured", "boundary_edges", "measure"]
 
 #: Even times at which a movement is looked at, and places along a quad's side.
 FRAMES, SAMPLES = 41, 4
@@ -106,19 +107,9 @@ class Measured:
     folded: Mask
 
 
-def mesh_edges(pair: MeshPair) -> tuple[Index, Index]:
-    """Edges of a mesh, (E, 2), and how many faces each belongs to, (E,)."""
-    sides = [
-        np.stack([f, np.roll(f, -1, axis=1)], axis=-1).reshape(-1, 2)
-        for f in (pair.quads, pair.triangles)
-    ]
-    edges, count = np.unique(np.sort(np.concatenate(sides), axis=1), axis=0, return_counts=True)
-    return edges, count
-
-
 def boundary_edges(pair: MeshPair) -> Index:
     """Edges that belong to one face only, (E, 2)."""
-    edges, count = mesh_edges(pair)
+    edges, count = mesh_edges([pair.quads, pair.triangles])
     return np.asarray(edges[count == 1])
 
 
@@ -155,6 +146,7 @@ def measure(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
     least = np.min([(turning * corner_sines(points[:, f])).min(axis=(1, 2)) for f in faces], axis=0)
     areas = turning * sum(polygon_area(points[:, f]).sum(axis=1) for f in faces)
     perimeters = _lengths(points, boundary_edges(pair)).sum(axis=1)
+    lengths = _lengths(points, mesh_edges(faces)[0])
     ends = np.stack([pair.source, pair.target])
     radius = float(rms_radius(ends).mean())
     diameter = float(np.linalg.norm(np.ptp(ends, axis=1), axis=1).max())
@@ -169,7 +161,9 @@ def measure(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
         area_detour=paths.detour(areas),
         perimeter=paths.straightness(perimeters, t),
         perimeter_detour=paths.detour(perimeters),
-        edge_overshoot=paths.overshoot(_lengths(points, mesh_edges(pair)[0])),
+        edge_overshoot=paths.overshoot(
+            _lengths(points, mesh_edges([pair.quads, pair.triangles])[0])
+        ),
         folded=int((least <= 0).sum()),
         least_sine=float(least.min()),
         least_w=float(inside.least_weights(points).min()),

@@ -10,7 +10,8 @@ from shapetween.errors import DegenerateQuadError
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.interpolate.arap import AlexaArap, Arap
-from shapetween.interpolate.faces import shared_edges, split_quads
+from shapetween.interpolate.faces import mesh_edges, shared_edges, split_quads
+from shapetween.interpolate.refine import refined
 from shapetween.mesh import MeshPair
 from tests.strategies import grid, rotation
 
@@ -46,11 +47,12 @@ def igl_gradient(points: Points, triangles: Index) -> Floats:
 def test_vertices_have_the_least_energy(method: Method, gradient: Gradient) -> None:
     """Against a dense least squares solution over other gradient operators."""
     pair, t = bent(), np.array([0.3, 0.8])
-    triangles = split_quads(pair)
-    ends = [gradient(points, triangles) for points in (pair.source, pair.target)]
-    matrices = np.swapaxes(ends[0] @ pair.target, 1, 2)
+    whole = pair if method is AlexaArap else refined(pair)
+    triangles = split_quads(whole)
+    ends = [gradient(points, triangles) for points in (whole.source, whole.target)]
+    matrices = np.swapaxes(ends[0] @ whole.target, 1, 2)
     wanted = linear_between(*polar(matrices), t)
-    areas = [polygon_area(points[triangles]) for points in (pair.source, pair.target)]
+    areas = [polygon_area(points[triangles]) for points in (whole.source, whole.target)]
     if method is AlexaArap:
         areas = [np.ones(len(triangles)), np.zeros(len(triangles))]
     seen = [wanted, wanted @ np.linalg.inv(matrices)]
@@ -58,10 +60,11 @@ def test_vertices_have_the_least_energy(method: Method, gradient: Gradient) -> N
         rows, right = [], []
         for operator, area, jacobians in zip(ends, areas, seen, strict=True):
             root = np.sqrt(area)[:, None, None]
-            rows.append((root * operator).reshape(-1, len(pair.source)))
+            rows.append((root * operator).reshape(-1, len(whole.source)))
             right.append((root * np.swapaxes(jacobians[frame], 1, 2)).reshape(-1, 2))
         best = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=None)[0]
-        np.testing.assert_allclose(got - got.mean(axis=0), best - best.mean(axis=0), atol=1e-9)
+        own = best[: len(got)]
+        np.testing.assert_allclose(got - got.mean(axis=0), own - own.mean(axis=0), atol=1e-9)
 
 
 def strip(count: int, degrees: float) -> MeshPair:
@@ -104,3 +107,24 @@ def test_the_better_diagonal_is_taken() -> None:
 def test_shared_edges_count_through_all_faces() -> None:
     quads, triangles = np.array([[0, 1, 4, 3]]), np.array([[1, 2, 4], [2, 5, 4]])
     assert shared_edges([quads, triangles]).tolist() == [[0, 1], [1, 2]]
+
+
+def test_a_finer_mesh_covers_the_same_and_conforms() -> None:
+    vertices, quads = grid(3, 2)
+    vertices = vertices + 0.1 * np.sin(5 * vertices[:, ::-1])
+    dart = vertices.copy()
+    dart[5] += [0.7, 0.8]  # the quad before it is convex at one end only
+    pair = MeshPair(vertices, dart, quads[:-1], quads[-1][[[0, 1, 2], [0, 2, 3]]])
+    finer = refined(pair)
+    np.testing.assert_array_equal(finer.source[:12], vertices)
+    assert len(finer.quads) == 4 * 4
+    assert len(finer.triangles) == 4 * 4
+    for whole, parts in ((pair.source, finer.source), (pair.target, finer.target)):
+        areas = [
+            sum(polygon_area(points[f]).sum() for f in (mesh.quads, mesh.triangles))
+            for points, mesh in ((whole, pair), (parts, finer))
+        ]
+        assert areas[0] == pytest.approx(areas[1])
+    rims = [mesh_edges([m.quads, m.triangles]) for m in (pair, finer)]
+    assert (rims[1][1] == 1).sum() == 2 * (rims[0][1] == 1).sum()
+    assert rims[1][1].max() == 2

@@ -104,11 +104,15 @@ def test_maps_are_met_exactly_by_all_but_straight_lines(rows: list[Row]) -> None
             assert row.median("linear") > 0.05
 
 
+#: Error, as a share of the radius, that nobody sees: a tenth of a pixel in a shape of 600 pixels.
+UNSEEN = 3e-4
+
+
 def test_projective_is_at_or_below_the_rest(rows: list[Row]) -> None:
-    """By the middle error, and but for a tenth of it, which scenes of one kind differ by."""
+    """By the middle error, but for a tenth of it, by which scenes of one kind differ."""
     for row in rows:
         best = min(row.median("arap"), row.median("linear"))
-        assert row.median("projective") <= 1.1 * best + 1e-9, (row.family, row.what)
+        assert row.median("projective") <= 1.1 * best + UNSEEN, (row.family, row.what)
     total = {m: np.mean([row.median(m) for row in rows]) for m in METHODS}
     assert total["projective"] < total["arap-2000"] / 2
     assert total["projective"] < total["projective-2007"]
