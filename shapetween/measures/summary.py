@@ -161,9 +161,7 @@ def measure(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
         area_detour=paths.detour(areas),
         perimeter=paths.straightness(perimeters, t),
         perimeter_detour=paths.detour(perimeters),
-        edge_overshoot=paths.overshoot(
-            _lengths(points, mesh_edges([pair.quads, pair.triangles])[0])
-        ),
+        edge_overshoot=paths.overshoot(lengths),
         folded=int((least <= 0).sum()),
         least_sine=float(least.min()),
         least_w=float(inside.least_weights(points).min()),
