@@ -44,12 +44,15 @@ class Column:
         For people.
     unit : {"%", ""}
         Shares are shown in percent.
+    judged : bool
+        Whether less is better.
     """
 
     key: str
     title: str
     meaning: str
     unit: str
+    judged: bool = True
 
 
 COLUMNS = (
@@ -94,12 +97,14 @@ COLUMNS = (
         "Travel",
         "Mean length of the way of the outline's points, in diagonals of the shapes.",
         "",
+        judged=False,
     ),
     Column(
         "jerk",
         "Unevenness",
         "Mean size of the second derivative of the outline's points by time, in diagonals.",
         "",
+        judged=False,
     ),
 )
 

@@ -178,14 +178,15 @@ def _table(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
             whole = figures[variant.key].whole
             cells = "".join(
                 f'<td class="best">{_shown(whole[c.key], c)}</td>'
-                if whole[c.key] <= least[c.key] + TIE
+                if c.judged and whole[c.key] <= least[c.key] + TIE
                 else f"<td>{_shown(whole[c.key], c)}</td>"
                 for c in COLUMNS
             )
         rows.append(f"<tr>{name}{cells}</tr>\n")
     meanings = "".join(f"<dt>{escape(c.title)}</dt><dd>{escape(c.meaning)}</dd>" for c in COLUMNS)
     return (
-        "<section>\n<h2>Figures</h2>\n<p>Less is better in every column; the best are marked.</p>\n"
+        "<section>\n<h2>Figures</h2>\n<p>Less is better, and the best are marked. Travel and "
+        "unevenness say how calm a movement is, which straight lines always win.</p>\n"
         f'<div class="scroll" tabindex="0" role="region" aria-label="Figures">\n<table>\n'
         f'<thead><tr><th scope="col">Method</th>{heads}</tr></thead>\n'
         f"<tbody>\n{''.join(rows)}</tbody>\n</table>\n</div>\n"

@@ -23,8 +23,8 @@ ABOUT = {
     "linear": "Every corner goes straight.",
 }
 
-#: What is added where the plane around the shape moves along.
-GUARDED = "The plane around the shape moves along, so that nothing folds."
+#: The same where folds are prevented.
+GUARDED = "The quads lead; the plane around the shape moves along, so that nothing folds."
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,7 +92,7 @@ def _named(method: str, folds: Folds) -> Variant:
     return Variant(
         f"guarded-{method}" if guarded else method,
         f"{method}, guarded" if guarded else method,
-        f"{ABOUT.get(method, '')} {GUARDED if guarded else ''}".strip(),
+        GUARDED if guarded else ABOUT.get(method, ""),
         method,
         folds,
         None,
