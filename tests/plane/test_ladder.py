@@ -44,6 +44,7 @@ def test_what_folds_is_mended_and_stays_smooth() -> None:
     moved = mended.vertices(T)
     assert (polygon_area(moved[:, mesh.triangles]) > 0).all()
     np.testing.assert_array_equal(moved[[0, -1]], plain[[0, -1]])
+    np.testing.assert_array_equal(moved[:, mesh.frame], plain[:, mesh.frame])
     fine = mended.vertices(np.linspace(0, 1, 161))[:, :40]
     assert simple_frames(fine, (20, 20)).all()
     jolts = [np.abs(np.diff(x[:, :40], 2, axis=0)).max() * 1600 for x in (plain, moved)]

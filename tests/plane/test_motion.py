@@ -109,6 +109,13 @@ def test_area_and_length_go_straight() -> None:
     np.testing.assert_allclose(length, (1 - t) * length[0] + t * length[-1], rtol=0.02)
 
 
+@pytest.mark.parametrize("seed", [1, 5])
+def test_area_goes_straight_between_unlike_shapes(seed: int) -> None:
+    t = np.linspace(0, 1, 21)
+    root = np.sqrt(polygon_area(_nodes(blob(seed, 24), blob(seed + 1, 24), t)))
+    np.testing.assert_allclose(root, (1 - t) * root[0] + t * root[-1], rtol=0.04)
+
+
 def test_a_hole_stays_in_its_shape_and_parts_stay_apart() -> None:
     t = np.linspace(0, 1, 41)
     for nodes, target, rings in (
