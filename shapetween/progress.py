@@ -21,8 +21,8 @@ class Progress:
 
     Parameters
     ----------
-    stream : text stream
-        Where to show it; nothing is shown unless it is a terminal.
+    stream : text stream, optional
+        Where to show it, the error stream if left out; nothing is shown unless it is a terminal.
     quiet : bool
         Show nothing at all.
 
@@ -32,8 +32,9 @@ class Progress:
         Time spent in each stage so far.
     """
 
-    def __init__(self, stream: TextIO = sys.stderr, *, quiet: bool = False) -> None:
+    def __init__(self, stream: TextIO | None = None, *, quiet: bool = False) -> None:
         self.seconds: dict[str, float] = {}
+        stream = sys.stderr if stream is None else stream
         self._stream = stream
         self._shown = not quiet and stream.isatty()
         self._stage = ""

@@ -21,7 +21,7 @@ Side: TypeAlias = Literal["a", "b"]
 """Which of the two pictures."""
 
 #: Width of lines and height of labels, as shares of the picture's larger side.
-LINE, LABEL = 1 / 400, 1 / 45
+LINE, LABEL = 1 / 320, 1 / 40
 
 #: White between two pictures, as a share of the wider one.
 GAP = 1 / 50

@@ -45,9 +45,9 @@ def pattern(points: Points) -> Floats:
 def rendered(matrix: Floats) -> tuple[Bytes, Mask]:
     """What a camera sees, and a mask of pixels that lie inside the plane by two pixels."""
     width, height = SIZE
-    places = np.moveaxis(np.indices((height, width)), 0, -1)[..., ::-1] + 0.5
-    inverse = np.linalg.inv(matrix)
-    on_plane = apply_homography(inverse, places.reshape(-1, 2)).reshape(height, width, 2)
+    places = np.asarray(np.moveaxis(np.indices((height, width)), 0, -1) + 0.5, np.float64)
+    inverse = np.asarray(np.linalg.inv(matrix), np.float64)
+    on_plane = apply_homography(inverse, places[..., ::-1].reshape(-1, 2)).reshape(height, width, 2)
     light = pattern(on_plane)
     values = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
     inside = (np.abs(on_plane) <= PLANE[2]).all(axis=-1)

@@ -4,7 +4,9 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
+from typing import IO
 
 import numpy as np
 
@@ -32,27 +34,34 @@ def write_video(path: Path, frames: Iterable[Bytes], clock: Clock) -> None:
     """
     program = _ffmpeg()
     with fresh_file(path) as fresh, tempfile.TemporaryFile() as said:
-        pipe: subprocess.Popen[bytes] | None = None
-        try:
-            for frame in frames:
-                if pipe is None:
-                    command = _command(program, frame.shape[1], frame.shape[0], clock.fps, fresh)
-                    pipe = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said)
-                assert pipe.stdin is not None
-                pipe.stdin.write(_on_white(frame).tobytes())
-            assert pipe is not None
-            pipe.communicate()
-            failed = pipe.returncode != 0
-        except BrokenPipeError:
-            failed = True
-        finally:
-            if pipe is not None and pipe.poll() is None:
-                pipe.kill()
-                pipe.wait()
+        failed = _fed(program, fresh, frames, clock.fps, said)
         if failed:
             said.seek(0)
             lines = said.read().decode(errors="replace").strip().splitlines()
             raise OptionError(f"{path}: ffmpeg failed: {lines[-1] if lines else 'without a word'}")
+
+
+def _fed(program: str, out: Path, frames: Iterable[Bytes], fps: float, said: IO[bytes]) -> bool:
+    """Run ffmpeg over all frames; whether it failed."""
+    rest = iter(frames)
+    first = next(rest)
+    command = _command(program, first.shape[1], first.shape[0], fps, out)
+    pipe = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said)
+    assert pipe.stdin is not None
+    try:
+        pipe.stdin.write(_on_white(first).tobytes())
+        for frame in rest:
+            pipe.stdin.write(_on_white(frame).tobytes())
+        pipe.stdin.close()
+        return pipe.wait() != 0
+    except BrokenPipeError:  # it gave up before the last frame
+        return True
+    finally:
+        if pipe.poll() is None:
+            pipe.kill()
+            pipe.wait()
+        with suppress(BrokenPipeError):
+            pipe.stdin.close()
 
 
 def _ffmpeg() -> str:
