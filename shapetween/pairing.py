@@ -82,7 +82,9 @@ def _cheapest(
     scale: float,
     extra: Floats | None,
 ) -> list[tuple[int, int]]:
-    from scipy.optimize import linear_sum_assignment
+    if len(rows) == len(columns) == 1:
+        return [(rows[0], columns[0])]
+    from scipy.optimize import linear_sum_assignment  # slow to import, and most drawings are one
 
     a, b = [first[i] for i in rows], [second[j] for j in columns]
     away = np.linalg.norm(

@@ -9,15 +9,18 @@ outlines from crossing.
 """
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 from shapetween.arrays import Floats, Points, times
 from shapetween.geometry.polygon import polygon_area
 from shapetween.plane.mesh import PlaneMesh
 from shapetween.plane.motion import PlaneMotion
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 __all__ = ["MendedMotion"]
 
@@ -37,11 +40,13 @@ class MendedMotion:
     """A plane motion and what is added to it, zero at the ends."""
 
     motion: PlaneMotion
-    _added: CubicSpline[np.float64]
+    _added: "CubicSpline[np.float64]"
 
     @classmethod
     def of(cls, motion: PlaneMotion, t: Floats, vertices: Points) -> "MendedMotion":
         """Mend a motion at the times (F,), 0 first and 1 last, where its vertices are given."""
+        from scipy.interpolate import CubicSpline  # slow to import, and few pairs need mending
+
         mended = _push(motion.mesh, t, vertices, SWEEPS)
         added = mended - vertices
         for _ in range(SMOOTHING):

@@ -7,8 +7,8 @@ another ellipse, the image of a cubic is the cubic of the images.
 """
 
 from cmath import phase
+from dataclasses import dataclass
 from math import ceil, cos, inf, pi, radians, sin, sqrt, tan
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,8 @@ ARC_HANDLE = 4 / 3 * (sqrt(2) - 1)
 QUARTER_SLACK = 1e-9
 
 
-class Arc(Protocol):
+@dataclass(frozen=True, slots=True)
+class Arc:
     """An arc between two points, which differ, on an ellipse whose radii are not zero."""
 
     start: complex

@@ -2,8 +2,9 @@
 
 One pass of regular expressions cuts the data into runs of one command with its numbers, and finds
 where it stops being path data: browsers draw what comes before that place, and so does this
-reader. Subpaths of plain lines and cubics, which maps and most icons consist of, then become
-arrays at once; every other subpath is parsed by svgpathtools, which is imported only then.
+reader. Subpaths of lines, cubics and arcs, which nearly all drawings consist of, then become
+arrays at once; those with quadratic curves are parsed by svgpathtools, which is slow to import and
+is imported only then.
 
 .. [SVG2] *Scalable Vector Graphics 2*, chapter 9 and appendix B.2.
 """
@@ -11,12 +12,12 @@ arrays at once; every other subpath is parsed by svgpathtools, which is imported
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import islice, pairwise, takewhile
+from itertools import groupby, islice, pairwise, takewhile
 
 import numpy as np
 
 from shapetween.arrays import Curves, Points
-from shapetween.svg.arcs import arc_curves
+from shapetween.svg.arcs import Arc, arc_curves
 from shapetween.svg.transform import NUMBER
 from shapetween.svg.units import GREATEST
 
@@ -63,7 +64,6 @@ _RUNS = {
 _ARC = re.compile(
     _GAP.join(f"({NUMBER})" if kind == "n" else f"({_FLAG})" for kind in _KINDS["A"]), re.ASCII
 )
-_PLAIN = frozenset("LHVC")
 
 _Point = tuple[float, float]
 _Arguments = list[tuple[float, ...]]
@@ -221,84 +221,97 @@ def _place(text: str, position: int, wanted: str) -> str:
 
 
 def _subpath(start: _Point, runs: list[_Run], closed: bool) -> Subpath:
-    if all(run.letter in _PLAIN for run in runs):
-        curves = _plain_curves(start, runs)
-    else:
-        curves = _parsed_curves(start, runs)
-    return Subpath(curves, np.array(start), closed)
+    pieces, current = [np.zeros((0, 4, 2))], start
+    for quadratic, stretch in groupby(runs, lambda run: run.letter in "QT"):
+        curves = (_quadratic_curves if quadratic else _plain_curves)(current, list(stretch))
+        if len(curves):
+            pieces.append(curves)
+            current = float(curves[-1, 3, 0]), float(curves[-1, 3, 1])
+    return Subpath(np.concatenate(pieces), np.array(start), closed)
 
 
 def _plain_curves(start: _Point, runs: list[_Run]) -> Curves:
-    """Curves of a subpath of lines and cubics."""
+    """Lines, cubics and arcs."""
     ends = [start]
     handles: list[tuple[float, ...]] = []
+    before = ""
     for run in runs:
-        first = len(ends) - 1
-        ends.extend(run.ends(ends[-1]))
-        if run.letter != "C":  # a line, with its handles at the thirds
-            handles += [
-                ((2 * x + p) / 3, (2 * y + q) / 3, (x + 2 * p) / 3, (y + 2 * q) / 3)
-                for (x, y), (p, q) in pairwise(ends[first:])
-            ]
-        elif run.relative:
-            handles += [
-                (x + a, y + b, x + c, y + d)
-                for (x, y), (a, b, c, d, _, _) in zip(ends[first:-1], run.arguments, strict=True)
-            ]
-        else:
-            handles += [arguments[:4] for arguments in run.arguments]
-    points = np.array(ends)[:, None]
-    inner = np.array(handles).reshape(-1, 2, 2)
-    return np.concatenate([points[:-1], inner, points[1:]], axis=1)
-
-
-def _parsed_curves(start: _Point, runs: list[_Run]) -> Curves:
-    """Curves of a subpath as svgpathtools parses it."""
-    from svgpathtools import Arc, CubicBezier, QuadraticBezier, parse_path
-
-    words = ["M", *map(repr, start)]
-    current = start
-    for run in runs:
-        ends = list(run.ends(current))
+        points = [ends[-1], *run.ends(ends[-1])]
         if run.letter == "A":
-            words += _sound_arcs(run.arguments, [current, *ends])
+            drawn = _arcs(run.arguments, points)
+            ends += [(x, y) for x, y in drawn[:, 3].tolist()]
+            handles += [(a, b, c, d) for a, b, c, d in drawn[:, 1:3].reshape(-1, 4).tolist()]
         else:
-            words.append(run.letter.lower() if run.relative else run.letter)
-            words += (repr(value) for values in run.arguments for value in values)
-        current = ends[-1]
-
-    pieces = []
-    with np.errstate(all="ignore"):  # far-fetched radii; what overflows is refused by the reader
-        for segment in parse_path(" ".join(words)):
-            if isinstance(segment, Arc):
-                pieces.append(arc_curves(segment))
-                continue
-            points = np.array(segment.bpoints())
-            if isinstance(segment, CubicBezier):
-                cubic = points
-            elif isinstance(segment, QuadraticBezier):
-                first, handle, last = points
-                cubic = np.array([first, (first + 2 * handle) / 3, (last + 2 * handle) / 3, last])
-            else:
-                first, last = points
-                cubic = np.array([first, (2 * first + last) / 3, (first + 2 * last) / 3, last])
-            pieces.append(np.stack([cubic.real, cubic.imag], axis=-1)[None])
-    return np.concatenate(pieces) if pieces else np.zeros((0, 4, 2))
+            ends += points[1:]
+            mirrored = handles[-1][2:] if before in ("C", "S") else points[0]
+            handles += _handles(run, points, mirrored)
+        before = run.letter
+    joints = np.array(ends)[:, None]
+    inner = np.array(handles).reshape(-1, 2, 2)
+    return np.concatenate([joints[:-1], inner, joints[1:]], axis=1)
 
 
-def _sound_arcs(arguments: _Arguments, points: list[_Point]) -> list[str]:
-    """Arcs as words, without those that svgpathtools cannot hold.
+def _handles(run: _Run, points: list[_Point], mirrored: tuple[float, ...]) -> _Arguments:
+    """Both handles of every line or cubic of a run that goes through the points.
+
+    The first handle of an S is the one `mirrored`, the second of the curve before, turned about
+    the point where they meet.
+    """
+    if run.letter not in "CS":  # a line, with its handles at the thirds
+        return [
+            ((2 * x + p) / 3, (2 * y + q) / 3, (x + 2 * p) / 3, (y + 2 * q) / 3)
+            for (x, y), (p, q) in pairwise(points)
+        ]
+    own: _Arguments = [arguments[:-2] for arguments in run.arguments]
+    if run.relative:
+        own = [
+            tuple(value + origin[axis % 2] for axis, value in enumerate(values))
+            for origin, values in zip(points[:-1], own, strict=True)
+        ]
+    if run.letter == "C":
+        return own
+    handles: _Arguments = []
+    for (x, y), values in zip(points[:-1], own, strict=True):
+        handles.append((x + x - mirrored[0], y + y - mirrored[1], *values))
+        mirrored = values
+    return handles
+
+
+def _arcs(arguments: _Arguments, points: list[_Point]) -> Curves:
+    """A run of arcs through the points.
 
     An arc that ends where it starts is left out, one without a radius is a line ([SVG2], B.2.5).
     """
-    words = []
+    drawn = [np.zeros((0, 4, 2))]
     for values, start, end in zip(arguments, points[:-1], points[1:], strict=True):
+        radius_x, radius_y, turn, large, sweep = values[:5]
         if start == end:
             continue
-        radius_x, radius_y, turn, large, sweep = values[:5]
         if radius_x == 0 or radius_y == 0:
-            words += ["L", *map(repr, end)]
-        else:
-            shape = [repr(radius_x), repr(radius_y), repr(turn), str(int(large)), str(int(sweep))]
-            words += ["A", *shape, *map(repr, end)]
-    return words
+            drawn.append(_plain_curves(start, [_Run("L", False, [end])]))
+            continue
+        arc = Arc(
+            complex(*start),
+            complex(*end),
+            complex(radius_x, radius_y),
+            turn,
+            large_arc=bool(large),
+            sweep=bool(sweep),
+        )
+        with np.errstate(all="ignore"):  # far-fetched radii; the reader refuses what overflows
+            drawn.append(arc_curves(arc))
+    return np.concatenate(drawn)
+
+
+def _quadratic_curves(start: _Point, runs: list[_Run]) -> Curves:
+    """Quadratic curves as svgpathtools parses them, raised to cubics."""
+    from svgpathtools import parse_path
+
+    words = ["M", *map(repr, start)]
+    for run in runs:
+        words.append(run.letter.lower() if run.relative else run.letter)
+        words += (repr(value) for values in run.arguments for value in values)
+    bent = np.array([segment.bpoints() for segment in parse_path(" ".join(words))])
+    first, handle, last = bent.T
+    cubics = np.stack([first, (first + 2 * handle) / 3, (last + 2 * handle) / 3, last], axis=1)
+    return np.stack([cubics.real, cubics.imag], axis=-1)

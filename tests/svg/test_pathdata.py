@@ -104,14 +104,14 @@ def oracle(text: str, t: Points) -> Points:
     return np.stack([points.real, points.imag], axis=-1)
 
 
-@given(path_texts("LHVC") | path_texts("LHVCSQT"))
+@given(path_texts("LHVCS") | path_texts("LHVCSQT"))
 def test_same_curves_as_svgpathtools(text: str) -> None:
     (path,) = parse_path_data(text, MANY).subpaths
     t = np.linspace(0, 1, 5)
     np.testing.assert_allclose(evaluate(path.curves, t), oracle(text, t), atol=1e-8)
 
 
-@given(path_texts("LHVC"))
+@given(path_texts("LHVCS"))
 def test_curves_follow_one_another_exactly(text: str) -> None:
     (path,) = parse_path_data(text, MANY).subpaths
     assert (path.curves[1:, 0] == path.curves[:-1, 3]).all()
@@ -150,3 +150,13 @@ def test_arcs_lie_on_their_ellipse(
 def test_a_short_arc_of_a_huge_circle_is_short() -> None:
     (path,) = parse_path_data("M0 0A1e9 1e9 0 0 0 1 0", MANY).subpaths
     assert np.abs(path.curves).max() <= 1
+
+
+def test_arcs_among_other_curves() -> None:
+    text = "M0 0C1 2 3 4 5 5S6 7 8 8A2 2 0 0 1 12 8s2 1 3 0q1 1 2 0t2 0l1 1"
+    (path,) = parse_path_data(text, MANY).subpaths
+    assert len(path.curves) == 2 + 2 + 1 + 2 + 1  # half a circle is two quarters
+    np.testing.assert_allclose(path.curves[1, 1], [7, 6])
+    np.testing.assert_allclose(path.curves[4, 1], [12, 8])  # nothing to mirror after an arc
+    np.testing.assert_allclose(path.curves[6, 1] + path.curves[5, 2], 2 * path.curves[6, 0])
+    assert (path.curves[1:, 0] == path.curves[:-1, 3]).all()
