@@ -7,11 +7,12 @@ from itertools import islice
 import numpy as np
 
 from shapetween.arrays import Floats, Points
-from shapetween.errors import OptionError
+from shapetween.errors import OptionError, ShapeError
 from shapetween.geometry.polygon import cross, rms_radius
 from shapetween.geometry.rotation import rotations
 from shapetween.interpolate import INTERIORS, METHODS, tween
 from shapetween.interpolate.inside import Inside
+from shapetween.measures.epipolar import epipolar_distance
 from shapetween.observe import Observer, unobserved
 from shapetween.truth import camera, figure
 from shapetween.truth.case import TIMES, Case
@@ -35,10 +36,11 @@ class Row:
     Attributes
     ----------
     family : str
-    what : {"vertices", "texture"}
+    what : {"vertices", "texture", "views"}
     errors : mapping of str to (N,) float64
-        Root mean square error over all points and `TIMES`, as a share of the root mean square
-        radius of the scene, one for each scene, by method.
+        By method, one for each scene: the root mean square error over all points and `TIMES`, as a
+        share of the root mean square radius of the scene; or, for views, how far the in-betweens
+        are from any view of what either end shows (`epipolar_distance`).
     """
 
     family: str
@@ -92,24 +94,36 @@ def table(
     for family, cases in scenes(seed, count):
         with observe(family):
             found = {method: [_errors(case, method) for case in cases] for method in methods}
-        for column, what in enumerate(("vertices", "texture")):
-            errors = {m: np.array([pair[column] for pair in each]) for m, each in found.items()}
+        for column, what in enumerate(("vertices", "texture", "views")):
+            errors = {m: np.array([each[column] for each in all_]) for m, all_ in found.items()}
             if not np.isnan(errors[methods[0]]).any():
                 rows.append(Row(family, what, errors))
     return rows
 
 
-def _errors(case: Case, method: str) -> tuple[float, float]:
-    """Error of the vertices, and of the texture; not a number where a scene has none."""
+def _errors(case: Case, method: str) -> tuple[float, float, float]:
+    """Error of vertices, texture and views; not a number where a scene has no such thing."""
     vertices = tween(case.pair, method).vertices(TIMES)
     ends = np.stack([case.pair.source, case.pair.target])
     radius = float(rms_radius(ends).mean())
     moved = _moved_onto(vertices, case.vertices) if case.free else vertices
     corners = _rms(moved - case.vertices) / radius
     if case.texture is None or case.places is None:
-        return corners, np.nan
+        return corners, np.nan, np.nan
     inside = Inside.of(case.pair, INTERIORS[method]).points(vertices, case.places)
-    return corners, _rms(inside - case.texture) / radius
+    return corners, _rms(inside - case.texture) / radius, _views(case, case.places, inside)
+
+
+def _views(case: Case, places: Points, inside: Points) -> float:
+    """Mean epipolar distance of in-betweens (F, Q, K, 2) from both ends; none in flat scenes."""
+    last = Inside.of(case.pair, "homography").points(case.pair.target[None], places)
+    ends = places.reshape(-1, 2), last.reshape(-1, 2)
+    try:
+        epipolar_distance(*ends)
+    except ShapeError:
+        return np.nan
+    frames = inside.reshape(len(inside), -1, 2)
+    return float(np.mean([epipolar_distance(end, x) for end in ends for x in frames]))
 
 
 def _rms(offsets: Points) -> float:

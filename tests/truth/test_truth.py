@@ -7,10 +7,11 @@ from itertools import islice
 import numpy as np
 import pytest
 
-from shapetween.errors import OptionError
+from shapetween.errors import MeshError, OptionError
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import corner_sines
-from shapetween.interpolate import METHODS
+from shapetween.interpolate import METHODS, tween
+from shapetween.mesh import MeshPair
 from shapetween.truth import TIMES, Case, Row, camera, figure, format_table, scenes, table
 
 SCENES = {**camera.SCENES, **figure.SCENES}
@@ -74,6 +75,16 @@ def test_limbs_keep_their_lengths(family: str) -> None:
         np.testing.assert_allclose(steps, np.broadcast_to(steps[0], steps.shape), atol=1e-12)
 
 
+@pytest.mark.parametrize("method", ["projective", "projective-2007", "arap", "arap-2000"])
+def test_a_cube_that_turns_a_face_away_is_refused(method: str) -> None:
+    """No method knows of what is behind: a face that is seen from its back is named."""
+    case = cases("cube", 1)[0]
+    target = case.pair.target.copy()
+    target[5] += 3 * (target[0] - target[5])  # the corner opposite comes to the other side
+    with pytest.raises(MeshError, match="quad"):
+        tween(MeshPair(case.pair.source, target, case.pair.quads), method)
+
+
 def test_figures_bend_as_far_as_they_say() -> None:
     widest = []
     for case in cases("figure, joints 75 to 150", 4):
@@ -116,6 +127,10 @@ def test_projective_is_at_or_below_the_rest(rows: list[Row]) -> None:
     total = {m: np.mean([row.median(m) for row in rows]) for m in METHODS}
     assert total["projective"] < total["arap-2000"] / 2
     assert total["projective"] < total["projective-2007"]
+
+
+def test_only_solids_have_views(rows: list[Row]) -> None:
+    assert [row.family for row in rows if row.what == "views"] == ["cube"]
 
 
 def test_wins_count_scenes_where_nothing_is_better() -> None:
