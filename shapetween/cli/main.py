@@ -1,5 +1,6 @@
 """The group of all commands, each imported only when it is asked for, and the exit codes."""
 
+import os
 import sys
 from importlib import import_module
 
@@ -54,8 +55,13 @@ def cli() -> None:
 
 def main() -> None:
     """Run the command line; whatever the user can mend becomes one line and exit code 2."""
+    # All matrices here are small: threads only wait for each other, and for other programs'.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         code = cli.main(prog_name="shapetween", standalone_mode=False)
+    except click.exceptions.NoArgsIsHelpError as error:
+        click.echo(error.format_message(), err=True)
+        sys.exit(2)
     except click.ClickException as error:
         _fail(error.format_message())
     except ShapetweenError as error:

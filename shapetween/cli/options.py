@@ -4,12 +4,14 @@ import difflib
 import functools
 import json
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapetween.errors import MeshError
 from shapetween.progress import Progress
 
 if TYPE_CHECKING:
@@ -30,11 +32,12 @@ class Pin(click.ParamType[Any]):
         """Read the four numbers."""
         if isinstance(value, tuple):
             return value
+        halves = [half.split(",") for half in str(value).split(":")]
         try:
-            numbers = tuple(float(x) for half in str(value).split(":") for x in half.split(","))
+            numbers = tuple(float(x) for half in halves for x in half)
         except ValueError:
             numbers = ()
-        if len(numbers) != 4 or str(value).count(":") != 1:
+        if not numbers or [len(half) for half in halves] != [2, 2]:
             self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28")
         return numbers
 
@@ -110,7 +113,12 @@ class Common:
         settings = self.settings(a, b, out)
         with progress("import"):
             from shapetween.api import morph
-        return morph(a, b, observe=progress, **settings)
+        try:
+            return morph(a, b, observe=progress, **settings)
+        except MeshError as error:
+            if self.mesh is None:
+                raise
+            raise MeshError(f"{self.mesh}: {error}") from error
 
     def settings(self, a: Path, b: Path, out: Path) -> dict[str, Any]:
         """Check the places to write to; what `shapetween.morph` takes besides the drawings."""
@@ -133,18 +141,20 @@ class Common:
         }
 
     def finish(self, result: "Morph", out: Path, content: str | list[str], run: Progress) -> None:
-        """Write the report if one is wanted, then the output, and say what there is to say."""
+        """Write the output, and the report if one is wanted, and say what there is to say."""
         from shapetween import files
 
         with run("check"):
             report = result.report()
         report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
-        if self.report is not None:
-            files.write_text(self.report, json.dumps(report, indent=1) + "\n")
-        if isinstance(content, str):
-            files.write_text(out, content)
-        else:
-            files.write_frames(out, content)
+        with ExitStack() as stack:  # the report appears only once the output has been written
+            if self.report is not None:
+                fresh = stack.enter_context(files.fresh_file(self.report))
+                fresh.write_text(json.dumps(report, indent=1) + "\n", "utf-8", newline="\n")
+            if isinstance(content, str):
+                files.write_text(out, content)
+            else:
+                files.write_frames(out, content)
         run.close()
         if self.quiet:
             return
