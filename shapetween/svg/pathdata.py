@@ -12,6 +12,7 @@ is imported only then.
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from itertools import groupby, islice, pairwise, takewhile
 
 import numpy as np
@@ -45,21 +46,18 @@ def _group(kinds: str) -> str:
     return _GAP.join(NUMBER if kind == "n" else _FLAG for kind in kinds)
 
 
-def _run(letter: str, kinds: str) -> re.Pattern[str]:
+@cache
+def _run(letter: str) -> re.Pattern[str]:
     """All sets of arguments that follow a command, and the same command again with more of them.
 
-    Atomic, so that no number is cut in two to make one more set.
+    Atomic, so that no number is cut in two to make one more set. Compiled when first asked for:
+    all of them together take as long as reading an icon.
     """
+    one = _group(_KINDS[letter.upper()])
     again = "" if letter in "Mm" else rf"(?:{letter}\s*)?"
-    return re.compile(f"(?>{_group(kinds)})(?:{_GAP}{again}(?>{_group(kinds)}))*+{_GAP}", re.ASCII)
+    return re.compile(f"(?>{one})(?:{_GAP}{again}(?>{one}))*+{_GAP}", re.ASCII)
 
 
-_RUNS = {
-    letter: _run(letter, kinds)
-    for upper, kinds in _KINDS.items()
-    for letter in (upper, upper.lower())
-    if kinds
-}
 #: One set of an arc's arguments, each caught by itself: flags may be packed without gaps.
 _ARC = re.compile(
     _GAP.join(f"({NUMBER})" if kind == "n" else f"({_FLAG})" for kind in _KINDS["A"]), re.ASCII
@@ -187,7 +185,7 @@ def _runs(text: str, most: int) -> Iterator[_Run]:
         if letter == "Z":
             yield _Run("Z", False, [])
             continue
-        found = _RUNS[command[1]].match(text, position)
+        found = _run(command[1]).match(text, position)
         if found is None:
             raise _Stopped(_place(text, position, f"the numbers of {command[1]}"))
         arguments = _arguments(letter, text, position, found.end(), most)
