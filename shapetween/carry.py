@@ -127,12 +127,18 @@ class Carrier:
         general = linear_between(angle, stretch, t)  # (F, 1, 2, 2)
         back = np.linalg.inv(rotations(angle) @ stretch)
         chord = self._chord(nodes)  # (F, P, 2)
+        linears = general, general @ back
+        chords = [
+            rest @ np.swapaxes(linear[:, 0], -1, -2)
+            for linear, rest in zip(linears, self._chords, strict=True)
+        ]
+        # Offsets grow as the chords do on the whole, beside what the affine map says.
+        sizes = [np.linalg.norm(expected, axis=-1).sum(axis=1) for expected in chords]
+        grown = np.linalg.norm(chord, axis=-1).sum(axis=1) / ((1 - t) * sizes[0] + t * sizes[1])
         result = self._along(nodes)
-        for linear, rest, offset, weight in (
-            (general, self._chords[0], self._offsets[0], 1 - t),
-            (general @ back, self._chords[1], self._offsets[1], t),
+        for linear, expected, offset, weight in zip(
+            linears, chords, self._offsets, ((1 - t) * grown, t * grown), strict=True
         ):
-            expected = rest @ np.swapaxes(linear[:, 0], -1, -2)
             turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))  # (F, P)
             local = rotations(turned) @ linear  # (F, P, 2, 2)
             result += weight[:, None, None, None] * (offset @ np.swapaxes(local, -1, -2))

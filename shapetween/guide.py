@@ -21,6 +21,7 @@ from shapetween.geometry.polygon import corner_sines
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.interpolate import Tween
 from shapetween.mesh import MeshPair
+from shapetween.plane.jacobians import AREA_EXPONENT
 
 __all__ = ["QuadGuide", "usable_quads"]
 
@@ -37,10 +38,6 @@ LARGEST_TURN, LARGEST_AREA = 1.0, 6.0
 #: Share of the way from a quad's nearest point to its centroid at which a triangle outside it
 #: reads the homography: on the very edge it may belong to no side.
 INWARD = 0.02
-
-#: How far the square root of the area is held to its straight path: 0 lets limbs keep their
-#: length, 1 keeps the area.
-AREA_EXPONENT = 0.5
 
 
 def usable_quads(pair: MeshPair, tween: Tween) -> Mask:

@@ -23,6 +23,10 @@ SNAP_EXACT = 1e-6
 #: Share of the sample spacing that the even samples keep from a joint.
 CLEARANCE = 0.25
 
+#: Share of the length that a piece of one outline has at least, where only the other outline's
+#: joints cut it: shorter ones are less than the last printed digit, and look like knots.
+LEAST_PIECE = 1e-4
+
 #: Parameter of a curve nearer than this to its end is the joint there: a shorter piece would be
 #: smaller than any printed digit.
 END_PARAMETER = 1e-7
@@ -119,7 +123,12 @@ class MatchedOutlines:
             ],
             axis=1,
         )
-        self._joints = rows[:, np.argsort(rows[0], kind="stable")]
+        order = np.argsort(rows[0], kind="stable")
+        counts = len(first), len(alone_a), len(alone_b)
+        own = np.repeat([[True, True, False], [True, False, True]], counts, axis=1)[:, order]
+        rows = rows[:, order]
+        rows[1], rows[2] = _spaced(rows[1], own[0]), _spaced(rows[2], own[1])
+        self._joints = rows
 
     def points(self, w: Floats) -> tuple[Points, Points]:
         """Matched points of source and target at the parameters (N,)."""
@@ -237,6 +246,37 @@ def _joined(
     first = np.array([c[2] for c in chosen], dtype=np.intp)
     second = np.array([c[3] for c in chosen], dtype=np.intp)
     return first, second
+
+
+def _spaced(places: Floats, own: Mask) -> Floats:
+    """Places on the circle with those that are not an outline's own kept a little apart.
+
+    Parameters
+    ----------
+    places : (N,) float64
+        In cyclic order.
+    own : (N,) bool
+        Joints of the outline itself, which stay.
+    """
+    fixed = np.flatnonzero(own)
+    if len(fixed) == 0 or own.all():
+        return places
+    result = places.copy()
+    for k, start in enumerate(fixed.tolist()):
+        end = int(fixed[(k + 1) % len(fixed)])
+        count = (end - start - 1) % len(places)
+        if not count:
+            continue
+        index = (start + 1 + np.arange(count)) % len(places)
+        room = float(turn(places[end] - places[start])) or 1.0
+        gap = min(LEAST_PIECE, room / (count + 1))
+        step = np.arange(count) * gap
+        # Forward each keeps its distance from the one before, backward from the one after.
+        along = np.maximum.accumulate(np.maximum(turn(places[index] - places[start]), gap) - step)
+        latest = room - gap - step[::-1]
+        along = np.minimum(along + step, latest)
+        result[index] = turn(places[start] + along)
+    return result
 
 
 def _shifted(pairs: list[tuple[float, float, int, int]], by: float) -> tuple[float, ...]:
