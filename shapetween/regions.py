@@ -101,9 +101,15 @@ def _largest_first(found: list[Region]) -> tuple[Region, ...]:
 
 
 def _encloses(ring: Outline) -> bool:
+    import shapely
+
     low, high = ring.box
-    size = float(np.max(high - low))
-    return abs(ring.area) > SPECK * size * size
+    least = SPECK * float(np.max(high - low)) ** 2
+    if abs(ring.area) > least:
+        return True
+    # Lobes that run opposite ways cancel out in the signed area.
+    polygon = shapely.Polygon(flatten(ring.curves, CHORDS))
+    return bool(shapely.make_valid(polygon).area > least)
 
 
 def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
@@ -117,7 +123,7 @@ def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
             if polygon.is_valid:
                 break
             fixed = shapely.make_valid(polygon)
-            if abs(float(fixed.area) / abs(ring.area) - 1) <= NEGLIGIBLE:
+            if abs(float(fixed.area) - abs(ring.area)) <= NEGLIGIBLE * abs(ring.area):
                 # Parts of parts: a collection may hold a multipolygon.
                 parts = shapely.get_parts(shapely.get_parts(fixed))
                 parts = [part for part in parts if part.geom_type == "Polygon"]
