@@ -135,10 +135,11 @@ def morph_fill(
             observe=settings.observe,
         )
         mesh = None
-        if outer.matching.confidence == "unsure":
+        # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
+        if alone and outer.matching.confidence == "unsure":
             warnings.append(
-                f"{f'{name}: ' if name else ''}matched with little certainty; look at the "
-                "matching with 'shapetween mesh' and correct it with --pin"
+                "matched with little certainty; look at the matching with 'shapetween mesh' and "
+                "correct it with --pin"
             )
         holes, others = _matched_holes(before[i], after[j], outer, settings)
         strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
@@ -171,7 +172,7 @@ def _called(shape: Shape, file: str) -> str:
 
 
 def _thing(region: Region) -> Thing:
-    return Thing(region.centre, float(np.sqrt(region.area)))
+    return Thing(region.centre, float(np.sqrt(abs(region.area))))
 
 
 def _matched_holes(
