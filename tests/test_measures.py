@@ -166,6 +166,16 @@ def test_turning_rigidly_is_seen_and_shrinking_too() -> None:
     assert straight.figures.isometric > rigid.figures.isometric + 0.1
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_rigidity_is_seen_from_the_nearer_key(method: str) -> None:
+    """Twice as large at the end: (1 + t) from the source, (1 + t) / 2 from the target."""
+    vertices, quads = grid(3, 2)
+    found = measure(MeshPair(vertices, 2 * vertices, quads), method, 11)
+    t = found.times
+    wanted = np.minimum(2 * t**2, 2 * (1 - (1 + t) / 2) ** 2)
+    np.testing.assert_allclose(found.rigidity, wanted, atol=1e-12)
+
+
 def test_folded_frames_are_counted() -> None:
     vertices, quads = grid(3, 2)
     over = measure(MeshPair(vertices, vertices @ rotation(np.pi).T, quads), "linear", 41)
