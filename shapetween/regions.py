@@ -76,7 +76,7 @@ def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, 
     Raises
     ------
     OutlineError
-        If nothing of the shape encloses an area.
+        If nothing of the shape encloses an area, or its fill rule shows none.
     """
     rings = [ring for ring in shape.rings if _encloses(ring)]
     if not rings:
@@ -87,13 +87,10 @@ def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, 
         place = _crossing_place(rings)
         found = _resolved(rings, rule)
         if not found:
-            raise OutlineError(f"{name}: the outline encloses no area{place}")
+            raise OutlineError(f"{name}: its fill rule shows nothing of it")
         warning = f"{name}: an outline crosses itself{place}; what it shows was outlined anew"
         return _largest_first(found), (warning,)
-    found = _nested(rings, polygons, rule)
-    if not found:
-        raise OutlineError(f"{name}: its fill rule shows nothing of it")
-    return _largest_first(found), ()
+    return _largest_first(_nested(rings, polygons, rule)), ()
 
 
 def _largest_first(found: list[Region]) -> tuple[Region, ...]:
@@ -135,11 +132,15 @@ def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
     tree = shapely.STRtree(polygons)
     first, second = tree.query(polygons, predicate="intersects")
     for i, j in zip(first.tolist(), second.tolist(), strict=True):
-        if i < j and polygons[i].overlaps(polygons[j]):
+        if i >= j:
+            continue
+        least, most = sorted((polygons[i].area, polygons[j].area))
+        alike = least > (1 - NEGLIGIBLE) * most
+        if alike or polygons[i].overlaps(polygons[j]):
             common = polygons[i].intersection(polygons[j]).area
-            least = min(polygons[i].area, polygons[j].area)
             # All of the smaller one within the larger is nesting with a touch.
-            if NEGLIGIBLE * least < common < (1 - NEGLIGIBLE) * least:
+            nested = common >= (1 - NEGLIGIBLE) * least and not alike
+            if common > NEGLIGIBLE * least and not nested:
                 return None
     return polygons
 
@@ -190,7 +191,9 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
     for face in faces:
         if face.area <= SPECK * total:
             continue
-        spot = np.array(face.representative_point().coords[0])
+        # Well inside: a point beside the boundary may be judged to lie on either side of it.
+        circle = shapely.maximum_inscribed_circle(face, tolerance=face.area / face.length / 4)
+        spot = np.array(circle.coords[0])
         winding = sum(_winding(p, spot) for p in points)
         if winding % 2 if rule == "evenodd" else winding != 0:
             kept.append(face)
