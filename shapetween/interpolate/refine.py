@@ -49,9 +49,9 @@ def refined(pair: MeshPair) -> MeshPair:
     m = middles(quads)
     quarters = [np.stack([quads[:, k], m[:, k], centres, m[:, k - 1]], axis=1) for k in range(4)]
     n = middles(triangles)
-    thirds = [np.stack([triangles[:, k], n[:, k], n[:, k - 1]], axis=1) for k in range(3)]
+    outer = [np.stack([triangles[:, k], n[:, k], n[:, k - 1]], axis=1) for k in range(3)]
     source, target = (
         np.concatenate([x, x[edges].mean(axis=1), x[quads].mean(axis=1)])
         for x in (pair.source, pair.target)
     )
-    return MeshPair(source, target, np.concatenate(quarters), np.concatenate([*thirds, n]))
+    return MeshPair(source, target, np.concatenate(quarters), np.concatenate([*outer, n]))

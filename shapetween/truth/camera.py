@@ -42,7 +42,7 @@ class Solid:
 
     def texture(self) -> Floats:
         """Points of the texture on every quad, (Q, K, 3)."""
-        places, _ = texture_places(self.quads)
+        places = texture_places()
         a, b, _, d = np.moveaxis(self.points[self.quads], 1, 0)
         along, down = b - a, d - a
         return np.asarray(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.arrays import Floats, Points
 from shapetween.mesh import MeshPair
 
 __all__ = ["GRID", "TIMES", "Case", "texture_places"]
@@ -45,8 +45,7 @@ class Case:
     free: bool = False
 
 
-def texture_places(quads: Index) -> tuple[Floats, Index]:
-    """Even places in the unit square, and the quad of each: (K, 2) and (Q, K)."""
+def texture_places() -> Floats:
+    """Even places in the unit square, (K, 2)."""
     step = (np.arange(GRID) + 0.5) / GRID
-    places = np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)
-    return places, np.broadcast_to(np.arange(len(quads))[:, None], (len(quads), len(places)))
+    return np.stack(np.meshgrid(step, step), axis=-1).reshape(-1, 2)
