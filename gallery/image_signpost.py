@@ -10,26 +10,31 @@ from shapetween.frames import easing_function, even_times
 from shapetween.image.load import read_picture
 from shapetween.image.sources import read_moving
 from shapetween.image.transition import Transition
-from shapetween.image.writers import Clock, write_webp
+from shapetween.image.writers import Clock, writer_for
 
 HERE = Path(__file__).parent
 INPUTS = HERE / "inputs"
+OUT = HERE / "image_signpost.webp"
 
-FRAMES, FPS, SIZE = 40, 20.0, (560, 420)
+FRAMES, FPS, SIZE = 32, 16.0, (480, 360)
+
+#: Frames that both ends are held for.
+HELD = 8
 
 
 def main() -> None:
-    pictures = tuple(read_picture(INPUTS / f"signpost-{side}.png") for side in "ab")
-    moving = read_moving(pictures, quads=[INPUTS / "signpost.json"])
+    a, b = (read_picture(INPUTS / f"signpost-{side}.png") for side in "ab")
     transition = Transition.between(
-        *pictures,
-        moving.meshes,
+        a,
+        b,
+        read_moving((a, b), quads=[INPUTS / "signpost.json"]).pieces,
         easing_function("ease-in-out")(even_times(FRAMES)),
         size=SIZE,
         background=read_picture(INPUTS / "signpost-bare.png"),
     )
-    order = [*range(FRAMES), *[FRAMES - 1] * 10, *range(FRAMES - 2, -1, -1), *[0] * 10]
-    write_webp(HERE / "image_signpost.webp", transition.frames(order), Clock(len(order), FPS, True))
+    last = FRAMES - 1
+    order = [*range(FRAMES), *[last] * HELD, *range(last - 1, 0, -1), *[0] * HELD]
+    writer_for(OUT)(OUT, transition.frames(order), Clock(len(order), FPS, repeats=True))
 
 
 if __name__ == "__main__":

@@ -197,7 +197,7 @@ def image(
             transition = Transition.between(
                 first,
                 second,
-                moving.meshes,
+                moving.pieces,
                 easing(even_times(count)),
                 size=size,
                 background=behind,
@@ -253,8 +253,15 @@ def draw_over(
         if b is None:
             quads, meshes = sources.read_json(a)
         else:
-            found = [pair for _, pair in common.prepare(a, b, out, run).meshes]
-            meshes = sources.lay_over(found, (a, b), (pictures[0], pictures[-1]))
+            pieces = sources.meshes_in_outlines(
+                (a, b),
+                (pictures[0], pictures[-1]),
+                run,
+                method=common.method,
+                quads=common.quads,
+                pins=common.pins,
+            )
+            meshes = [piece.pair for piece in pieces]
         sides: tuple[overlay.Side, ...] = ("a", "b")
         faces = [
             overlay.faces_of_quads(quads, side) + overlay.faces_of_meshes(meshes, side)

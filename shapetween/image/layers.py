@@ -13,11 +13,11 @@ from shapetween.fit import mapped
 from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.image.faces import Bilinear, FaceMap, Footprint, Projection, projections
 from shapetween.image.slip import bilinear_quads, greatest_slip
-from shapetween.interpolate import tween
+from shapetween.interpolate import Tween, tween
 from shapetween.interpolate.quads import interpolate_quads
 from shapetween.mesh import MeshPair
 
-__all__ = ["Layer", "ShownFace"]
+__all__ = ["Layer", "Piece", "ShownFace"]
 
 #: Least sine of a quad's corner in a frame, below which it is drawn as two triangles throughout.
 #: Larger gives up straight lines early; smaller lets the map's horizon come near the quad.
@@ -25,6 +25,22 @@ LEAST_SINE = 1e-3
 
 #: Area in pixels below which a face is not drawn: what it would add to a pixel cannot be seen.
 LEAST_AREA = 1e-3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Piece:
+    """A mesh over both pictures, and how it moves if not by the method alone.
+
+    Attributes
+    ----------
+    pair : MeshPair
+        Source in A's own pixels, target in B's.
+    path : Tween or None
+        Vertices at any time in A's pixels; None for the method that is asked for.
+    """
+
+    pair: MeshPair
+    path: Tween | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,7 +92,7 @@ class Layer:
     @classmethod
     def of(
         cls,
-        pair: MeshPair,
+        piece: Piece,
         fits: tuple[Affine, Affine],
         times: Floats,
         method: str,
@@ -86,8 +102,7 @@ class Layer:
 
         Parameters
         ----------
-        pair : MeshPair
-            Vertices in A's and B's own pixels.
+        piece : Piece
         fits : ((2, 3), (2, 3)) float64
             From A's and B's pixels to the frame's.
         times : (F,) float64
@@ -101,8 +116,12 @@ class Layer:
         DegenerateQuadError
             If a quad has no projective in-between.
         """
-        source, target = mapped(pair.source, fits[0]), mapped(pair.target, fits[1])
-        vertices = _moved(MeshPair(source, target, pair.quads, pair.triangles), times, method)
+        pair = piece.pair
+        if piece.path is not None:
+            vertices = mapped(piece.path.vertices(times), fits[0])
+        else:
+            source, target = mapped(pair.source, fits[0]), mapped(pair.target, fits[1])
+            vertices = _moved(MeshPair(source, target, pair.quads, pair.triangles), times, method)
         failing = _failing(vertices, pair.quads)
         split = np.flatnonzero(failing)
         if len(split):

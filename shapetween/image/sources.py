@@ -1,25 +1,41 @@
 """What moves, from whichever files say so: quads, a mesh, or outlines drawn over the pictures."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from shapetween import files
-from shapetween.arrays import Affine, Points
+from shapetween.arrays import Affine, Index, Points
+from shapetween.body import Carried, joined_meshes
 from shapetween.drawing import Drawing
 from shapetween.errors import MeshError, OptionError, ShapetweenError
-from shapetween.fit import mapped
+from shapetween.fit import inverted, mapped
+from shapetween.image.layers import Piece
 from shapetween.image.light import srgb_to_linear
 from shapetween.image.picture import Picture
 from shapetween.image.quads import PictureQuad, load_quads, meshes_of_quads, quads_of_drawings
 from shapetween.jsonfile import parse
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
-from shapetween.paint import Colour
+from shapetween.paint import Colour, Style
+from shapetween.plane.motion import PlaneMotion
 
-__all__ = ["Moving", "lay_over", "light_of_colour", "read_json", "read_moving", "read_quads"]
+__all__ = [
+    "Moving",
+    "light_of_colour",
+    "meshes_in_outlines",
+    "read_json",
+    "read_moving",
+    "read_quads",
+]
+
+#: Greatest distance of a mesh's edge from the outline that it fills, as a share of the root of the
+#: outline's area. Larger leaves slivers of the picture behind; smaller takes longer.
+NEAR_OUTLINE = 0.002
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,13 +44,13 @@ class Moving:
 
     Attributes
     ----------
-    meshes : tuple of MeshPair
-        In paint order; source in A's pixels, target in B's.
+    pieces : tuple of Piece
+        In paint order.
     warnings : tuple of str
         What may not be as meant, one line each.
     """
 
-    meshes: tuple[MeshPair, ...]
+    pieces: tuple[Piece, ...]
     warnings: tuple[str, ...] = ()
 
 
@@ -66,9 +82,9 @@ def read_moving(
         If a file cannot be read, or what it says cannot move.
     """
     if mesh is not None:
-        return _with_warnings(_read_meshes(mesh), pictures)
+        return _with_warnings([Piece(pair) for pair in _read_meshes(mesh)], pictures)
     if outlines is not None:
-        return _with_warnings(_meshes_in_outlines(outlines, pictures, observe), pictures)
+        return _with_warnings(meshes_in_outlines(outlines, pictures, observe), pictures)
     found = read_quads(quads, pictures)
     warnings = tuple(
         f"quad {quad.name!r} reaches beyond picture {side}; nothing is shown there"
@@ -76,17 +92,17 @@ def read_moving(
         for side, corners, picture in zip("AB", (quad.a, quad.b), pictures, strict=True)
         if _beyond(corners, picture)
     )
-    return Moving(tuple(meshes_of_quads(found)), warnings)
+    return Moving(tuple(map(Piece, meshes_of_quads(found))), warnings)
 
 
-def _with_warnings(meshes: Sequence[MeshPair], pictures: tuple[Picture, Picture]) -> Moving:
+def _with_warnings(pieces: Sequence[Piece], pictures: tuple[Picture, Picture]) -> Moving:
     warnings = tuple(
         f"mesh {k} reaches beyond picture {side}; nothing is shown there"
-        for k, pair in enumerate(meshes)
+        for k, pair in enumerate(piece.pair for piece in pieces)
         for side, vertices, picture in zip("AB", (pair.source, pair.target), pictures, strict=True)
         if _beyond(vertices, picture)
     )
-    return Moving(tuple(meshes), warnings)
+    return Moving(tuple(pieces), warnings)
 
 
 def _beyond(points: Points, picture: Picture) -> bool:
@@ -163,42 +179,89 @@ def _read_meshes(path: Path) -> list[MeshPair]:
     return [pair for _, pair in meshes]
 
 
-def _meshes_in_outlines(
-    paths: tuple[Path, Path], pictures: tuple[Picture, Picture], observe: Observer
-) -> list[MeshPair]:
-    """Meshes inside outlines that were matched as those of drawings are."""
-    from shapetween.api import morph
+def meshes_in_outlines(
+    paths: tuple[Path, Path],
+    pictures: tuple[Picture, Picture],
+    observe: Observer = unobserved,
+    **settings: Any,
+) -> list[Piece]:
+    """Meshes in pictures' pixels, inside outlines that are matched as those of drawings are.
 
-    drawings = (_drawing(paths[0]), _drawing(paths[1]))
-    found = [pair for _, pair in morph(*drawings, observe=observe).meshes]
-    return _laid_over(found, drawings, pictures)
-
-
-def lay_over(
-    meshes: Sequence[MeshPair], paths: tuple[Path, Path], pictures: tuple[Picture, Picture]
-) -> list[MeshPair]:
-    """Meshes in the units of two SVG files, in the pixels of the pictures they lie over.
+    Parameters
+    ----------
+    paths : (Path, Path)
+        An SVG over each picture; shapes count as filled however they are painted.
+    pictures : (Picture, Picture)
+    observe : Observer
+    **settings
+        What else `shapetween.morph` takes.
 
     Raises
     ------
-    InputError
-        If a file cannot be read.
+    OptionError
+        If no outlines belong together.
+    ShapetweenError
+        If a file cannot be read, or its outlines cannot be meshed.
     """
-    return _laid_over(meshes, (_drawing(paths[0]), _drawing(paths[1])), pictures)
+    from shapetween.api import morph
 
-
-def _laid_over(
-    meshes: Sequence[MeshPair],
-    drawings: tuple[Drawing, Drawing],
-    pictures: tuple[Picture, Picture],
-) -> list[MeshPair]:
+    drawings = [_filled(_drawing(path)) for path in paths]
+    found = morph(drawings[0], drawings[1], observe=observe, **settings)
     fits = [_over(drawing, picture) for drawing, picture in zip(drawings, pictures, strict=True)]
-    return [
-        MeshPair(
-            mapped(pair.source, fits[0]), mapped(pair.target, fits[1]), pair.quads, pair.triangles
-        )
-        for pair in meshes
+    pieces = [
+        _piece(body, settings.get("method", "projective"), fits, found.prepared.fit)
+        for part in found.prepared.filled
+        for body in part.bodies
     ]
+    if not pieces:
+        raise OptionError(f"{paths[0]}, {paths[1]}: no outline of one belongs to one of the other")
+    return pieces
+
+
+def _piece(body: Carried, method: str, fits: Sequence[Affine], fit: Affine) -> Piece:
+    """The inside of a body's outlines, in triangles that its quads lead.
+
+    The body itself has as few vertices as its curves need; a picture has no curves to follow the
+    outline by, so its vertices stand denser.
+    """
+    from shapetween.unfold import unfolded
+
+    dense = unfolded(body.nodes.rings, method, (NEAR_OUTLINE,))
+    if not isinstance(dense.path, PlaneMotion):
+        pair = joined_meshes(body.nodes.rings)
+        source, target = mapped(pair.source, fits[0]), _back(pair.target, fits[1], fit)
+        return Piece(MeshPair(source, target, pair.quads, pair.triangles))
+    mesh = dense.path.mesh
+    used, triangles = np.unique(mesh.triangles[mesh.inside & ~mesh.turned], return_inverse=True)
+    pair = MeshPair(
+        mapped(mesh.source[used], fits[0]),
+        _back(mesh.target[used], fits[1], fit),
+        np.zeros((0, 4), np.intp),
+        triangles.reshape(-1, 3),
+    )
+    return Piece(pair, _Laid(dense.path, used, fits[0]))
+
+
+def _back(points: Points, fit_of_picture: Affine, fit_of_drawing: Affine) -> Points:
+    """From A's user units to B's, and from those to B's pixels."""
+    return mapped(mapped(points, inverted(fit_of_drawing)), fit_of_picture)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Laid:
+    """Some vertices of a plane's motion in a picture's pixels."""
+
+    motion: PlaneMotion
+    used: Index
+    fit: Affine
+
+    def vertices(self, t: ArrayLike) -> Points:
+        """Vertices at the times (F,), shape (F, V, 2)."""
+        return mapped(self.motion.vertices(t)[:, self.used], self.fit)
+
+
+def _filled(drawing: Drawing) -> Drawing:
+    return replace(drawing, shapes=tuple(replace(shape, style=Style()) for shape in drawing.shapes))
 
 
 def light_of_colour(text: str) -> tuple[float, float, float, float] | None:

@@ -11,11 +11,10 @@ import numpy as np
 from shapetween.arrays import Affine, Floats, Index, times
 from shapetween.errors import OptionError
 from shapetween.image.coverage import coverage
-from shapetween.image.layers import Layer
+from shapetween.image.layers import Layer, Piece
 from shapetween.image.light import FULL, Bytes, Light, Shares, encode
 from shapetween.image.picture import Picture, fourfold
 from shapetween.image.sampling import Texture
-from shapetween.mesh import MeshPair
 
 __all__ = ["SLIP_TOLERANCE", "Transition", "fitted"]
 
@@ -71,7 +70,7 @@ class Transition:
         cls,
         a: Picture,
         b: Picture,
-        meshes: Sequence[MeshPair],
+        pieces: Sequence[Piece],
         moments: Floats,
         *,
         size: tuple[int, int] | None = None,
@@ -85,8 +84,8 @@ class Transition:
         ----------
         a, b : Picture
             May be one.
-        meshes : sequence of MeshPair
-            What moves, in paint order; source in A's pixels, target in B's.
+        pieces : sequence of Piece
+            What moves, in paint order.
         moments : (F,) float64
             Times of the frames, from 0 to 1.
         size : (int, int), optional
@@ -111,7 +110,7 @@ class Transition:
         size = size or (a.width, a.height)
         fits = (fitted(a.width, a.height, size), fitted(b.width, b.height, size))
         moments = times(moments)
-        layers = tuple(Layer.of(mesh, fits, moments, method, tolerance) for mesh in meshes)
+        layers = tuple(Layer.of(piece, fits, moments, method, tolerance) for piece in pieces)
         backgrounds = _backgrounds(a, b, background, size)
         opaque = all(bool((light[..., 3] == FULL).all()) for light in backgrounds)
         return cls((a, b), moments, size, layers, backgrounds, opaque)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from shapetween.geometry.homography import quad_homographies
+from shapetween.image.layers import Piece
 from shapetween.image.light import Bytes
 from shapetween.image.picture import Picture
 from shapetween.image.transition import Transition
@@ -34,19 +35,15 @@ def photograph(seed: int) -> Bytes:
     return np.asarray(np.clip(mixed, 0, 255).astype(np.uint8))
 
 
-def five_boards() -> list[MeshPair]:
+def five_boards() -> list[Piece]:
     """Boards of 640 x 160 and so that change places and lean."""
     boards = []
     for k in range(5):
         a = np.array([[0.0, 0.0], [640, 40 - 12 * k], [620, 170], [10, 190 + 8 * k]])
         b = np.array([[20.0, 10 * k], [560, 0], [600, 200], [0, 160]])
-        boards.append(
-            MeshPair(
-                a + np.array([200 + 150 * k, 60 + 170 * k]),
-                b + np.array([1100 - 190 * k, 60 + 170 * ((2 * k + 1) % 5)]),
-                np.array([[0, 1, 2, 3]]),
-            )
-        )
+        a += [200 + 150 * k, 60 + 170 * k]
+        b += [1100 - 190 * k, 60 + 170 * ((2 * k + 1) % 5)]
+        boards.append(Piece(MeshPair(a, b, np.array([[0, 1, 2, 3]]))))
     return boards
 
 

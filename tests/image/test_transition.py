@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapetween.arrays import Points, Quads
 from shapetween.errors import MeshError, OptionError
 from shapetween.image.faces import Projection
-from shapetween.image.layers import Layer
+from shapetween.image.layers import Layer, Piece
 from shapetween.image.light import Bytes
 from shapetween.image.picture import Picture
 from shapetween.image.transition import Transition, fitted
@@ -29,8 +29,8 @@ def plain(colour: tuple[int, ...], width: int = 64, height: int = 48) -> Picture
     return Picture.of(np.full((height, width, len(colour)), colour, np.uint8))
 
 
-def one_quad(a: Points, b: Points) -> MeshPair:
-    return MeshPair(a, b, np.array([[0, 1, 2, 3]]))
+def one_quad(a: Points, b: Points) -> Piece:
+    return Piece(MeshPair(a, b, np.array([[0, 1, 2, 3]])))
 
 
 BOARD_A = np.array([[5.3, 6.1], [40.2, 3.4], [37.7, 30.9], [8.8, 25.2]])
@@ -46,14 +46,15 @@ def test_ends_are_the_pictures_themselves() -> None:
     assert (transition.frame(1) == b).all()
 
 
-def bent_mesh() -> MeshPair:
+def bent_mesh() -> Piece:
     """Many quads and two triangles over the whole of a picture."""
     vertices, quads = grid(4, 3)
     source = vertices * 16.0
     target = source + 3 * np.sin(vertices[:, ::-1] * 2)
     edge = (vertices[:, 0] % 4 == 0) | (vertices[:, 1] % 3 == 0)
     target[edge] = source[edge]
-    return MeshPair(source, target, quads[:-1], quads[-1][[[0, 1, 2], [0, 2, 3]]])
+    pair = MeshPair(source, target, quads[:-1], quads[-1][[[0, 1, 2], [0, 2, 3]]])
+    return Piece(pair)
 
 
 @pytest.mark.parametrize("method", ["projective", "linear", "arap"])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from shapetween.arrays import Floats
+from shapetween.image.layers import Piece
 from shapetween.image.picture import Picture
 from shapetween.image.transition import Transition
 from tests.image.scenes import HALVES, QUAD, camera, corners, mesh, psnr, rendered, shown
@@ -29,7 +30,7 @@ def test_both_ends_come_back(move: str) -> None:
     views = [rendered(matrix) for matrix in ends]
     pair = mesh(corners(ends[0]), corners(ends[1]), QUAD)
     transition = Transition.between(
-        Picture.of(views[0][0]), Picture.of(views[1][0]), [pair], np.array([0.0, 1.0])
+        Picture.of(views[0][0]), Picture.of(views[1][0]), [Piece(pair)], np.array([0.0, 1.0])
     )
     for k, (view, core) in enumerate(views):
         assert psnr(transition.frame(k), view, core) > 60
@@ -72,7 +73,7 @@ def test_mid_frames_against_the_camera(move: str, projective: float, affine: flo
         transition = Transition.between(
             pictures[0],
             pictures[1],
-            [pair],
+            [Piece(pair)],
             np.array([0.5]),
             background=(1.0, 1.0, 1.0, 1.0),
             method=method,

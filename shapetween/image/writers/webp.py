@@ -20,7 +20,7 @@ from shapetween.image.writers.timing import Clock, patch_between
 __all__ = ["write_webp"]
 
 #: Of 100, for colours; alpha is kept exactly. Lower smears lettering; higher doubles the file.
-QUALITY = 90
+QUALITY = 85
 
 #: Widest and highest picture that WebP can hold.
 LARGEST = 16383
