@@ -32,8 +32,8 @@ NAMES = ("HARBOUR", "OLD MILL", "MUSEUM", "STATION", "CASTLE")
 COLOURS = ("#b3261e", "#1b6e53", "#1f4e8c", "#8a5a12", "#5b3a86")
 
 #: Turn about the post in degrees, height in metres and side of the post for each board.
-PLACES_A = ((-38, 2.62, 1), (30, 2.26, -1), (-12, 1.92, 1), (42, 1.56, -1), (-50, 1.22, 1))
-PLACES_B = ((-46, 1.72, -1), (14, 2.66, 1), (-30, 1.2, -1), (40, 2.14, 1), (8, 1.56, 1))
+PLACES_A = ((-38, 2.66, 1), (30, 2.28, -1), (-12, 1.9, 1), (36, 1.54, -1), (-44, 1.08, 1))
+PLACES_B = ((-40, 1.85, -1), (14, 2.72, 1), (-26, 1.02, -1), (36, 2.28, 1), (8, 1.44, 1))
 
 #: Where the eyes are: metres to the side, up, and away from the post.
 EYE_A, EYE_B = (0.35, 1.75, 2.7), (-0.55, 1.95, 2.75)
