@@ -72,7 +72,8 @@ def film_strip(variant: Variant, box: Box, t: Floats, crossing: Sequence[bool]) 
     gradients = _gradients(root, box)
     for k, (drawing, crosses) in enumerate(zip(variant.movement.at(t), crossing, strict=True)):
         frame = _nested(root, box, k * pitch, 0.0, box.width, box.height)
-        _add_paper(frame, box, {"class": "paper crossing" if crosses else "paper"})
+        shown = "paper crossing" if crosses else "paper"
+        _add_paper(frame, box, {"class": shown, "fill": PAPER})
         for shape in drawing.shapes:
             add_shape(frame, shape, gradients, {})
     return _text_of(root, gradients)

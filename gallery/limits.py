@@ -1,0 +1,41 @@
+"""Pairs that do not come out well, and why."""
+
+from pathlib import Path
+
+import shapetween as st
+from shapetween.gallery import Exhibit, Picture
+
+INPUTS = Path(__file__).parent / "inputs"
+
+PAIRS = (
+    (
+        "man-dancing",
+        "woman-dancing",
+        "Many small shapes of different colours: most find a partner, few the right one. Ids that "
+        "agree in both files would help.",
+        "Twemoji (CC BY 4.0)",
+    ),
+    (
+        "letter-o",
+        "letter-c",
+        "A ring has to be cut to become an arc. It is not: the hole closes while a bay grows in.",
+        "Font Awesome Free (CC BY 4.0)",
+    ),
+    (
+        "palm-tree",
+        "cactus",
+        "Six leaves, three arms: some leaves have nowhere to go and are pulled in like rags.",
+        "Game-icons.net (CC BY 3.0); Material Design Icons (Apache-2.0)",
+    ),
+)
+
+
+def draw() -> list[Exhibit]:
+    exhibits = []
+    for a, b, text, credit in PAIRS:
+        morph = st.morph(INPUTS / f"{a}.svg", INPUTS / f"{b}.svg")
+        title = f"{a} to {b}".replace("-", " ")
+        svg = morph.svg(loop="alternate")
+        picture = Picture(f"{a}-to-{b}.svg", svg, f"The movement from {title}")
+        exhibits.append(Exhibit(title.capitalize(), text, (picture,), wide=False, credit=credit))
+    return exhibits
