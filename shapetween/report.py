@@ -1,6 +1,5 @@
 """What a movement is known to be worth, as plain values for JSON."""
 
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ from shapetween.geometry.homography import homogeneous_weights, quad_homographie
 from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
 from shapetween.pipeline import Prepared
+from shapetween.version import installed_version
 
 __all__ = ["build", "mesh_figures"]
 
@@ -22,12 +22,8 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
     prepared : Prepared
     method : str
     """
-    try:
-        number = version("shapetween")
-    except PackageNotFoundError:  # run from a checkout that was never installed
-        number = "unknown"
     return {
-        "version": number,
+        "version": installed_version(),
         "method": method,
         "rings": [
             _ring(part.name, body, ring)
