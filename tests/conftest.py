@@ -1,9 +1,14 @@
 """Hypothesis profiles, and the corpus of real files where there is one."""
 
+import os
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+# As the command line has it, and set before numpy is imported: on small matrices threads only
+# wait for each other, and on a busy machine for everything else.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 settings.register_profile(
     "ci", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
