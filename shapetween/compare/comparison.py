@@ -9,6 +9,7 @@ from typing import Any
 
 from shapetween import report
 from shapetween.api import Morph, morph
+from shapetween.body import joined_meshes
 from shapetween.compare.figures import COLUMNS, TIMES, Figures, measure
 from shapetween.compare.variants import Variant, bare_variants, first_variant
 from shapetween.drawing import Drawing
@@ -69,6 +70,11 @@ class Comparison:
                         if variant.failure
                         else self.figures[variant.key].to_json()
                     ),
+                    **(
+                        {"meshes": _mesh_figures(variant)}
+                        if variant.folds == "allow" and not variant.failure
+                        else {}
+                    ),
                 }
                 for variant in self.variants
             },
@@ -118,6 +124,16 @@ def compare(
     with observe("measure"):
         figures = {v.key: measure(v) for v in variants if v.movement is not None}
     return Comparison(names or _names(a, b), found, tuple(variants), figures)
+
+
+def _mesh_figures(variant: Variant) -> list[dict[str, Any]]:
+    """All of `shapetween.measures` on the mesh of each body, which the method moves alone."""
+    from shapetween.measures import measure as measure_mesh
+
+    return [
+        measure_mesh(joined_meshes(body.nodes.rings), variant.method).figures.as_dict()
+        for body in variant.bodies
+    ]
 
 
 def _names(a: object, b: object) -> tuple[str, str]:

@@ -17,6 +17,7 @@ from shapetween.compare.skeleton import Skeleton
 from shapetween.compare.variants import Variant
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.polygon import polygon_area
+from shapetween.measures import conformal_distortion, straightness
 
 __all__ = ["COLUMNS", "TIMES", "Column", "Figures", "measure"]
 
@@ -170,8 +171,8 @@ def measure(variant: Variant) -> Figures:
         "turned_over": float(turned.max()),
         "distortion": float(distortion.mean()),
         "worst_distortion": float(worst.max()),
-        "area_off": _off_path(area),
-        "perimeter_off": _off_path(perimeter),
+        "area_off": straightness(area, TIMES),
+        "perimeter_off": straightness(perimeter, TIMES),
         "travel": float(np.average(ways, weights=weight)) / diagonal,
         "jerk": float(np.average(bends, weights=weight)) / diagonal,
     }
@@ -183,11 +184,6 @@ def _polygons(body: Carried) -> list[Floats]:
     points = flatten(body.curves(TIMES), CHORDS)
     cuts = np.cumsum(np.array(body.counts) * CHORDS)[:-1]
     return np.split(points, cuts, axis=1)
-
-
-def _off_path(path: Floats) -> float:
-    straight = (1 - TIMES) * path[0] + TIMES * path[-1]
-    return float(np.abs(path - straight).max())
 
 
 def _distortion(skeletons: Sequence[Skeleton]) -> tuple[Floats, Floats, Floats]:
@@ -202,8 +198,9 @@ def _distortion(skeletons: Sequence[Skeleton]) -> tuple[Floats, Floats, Floats]:
     back = np.linalg.inv(np.where(sound[:, None, None], last, np.eye(2)))
     measured = []
     for jacobian, areas in ((forward, before), (forward @ back, after * sound)):
-        ratio, turned = _stretch_ratio(jacobian)
-        excess = np.where(turned, MOST_DISTORTED, np.minimum(ratio - 1, MOST_DISTORTED))
+        ratio = conformal_distortion(jacobian)
+        turned = np.isinf(ratio)
+        excess = np.minimum(ratio - 1, MOST_DISTORTED)
         share = areas / areas.sum()
         measured.append((excess @ share, _quantile(excess, share), turned @ share))
     means = np.stack([mean for mean, _, _ in measured])
@@ -212,17 +209,6 @@ def _distortion(skeletons: Sequence[Skeleton]) -> tuple[Floats, Floats, Floats]:
         np.stack([m[k] for m in measured])[nearer, np.arange(len(TIMES))] for k in (1, 2)
     )
     return means.min(axis=0), worst, turned
-
-
-def _stretch_ratio(jacobian: Floats) -> tuple[Floats, Mask]:
-    """Larger singular value over the smaller, and where the plane is turned over."""
-    a, b, c, d = (jacobian[..., i, j] for i in (0, 1) for j in (0, 1))
-    turning, skewing = np.hypot(a + d, c - b), np.hypot(a - d, b + c)
-    small = np.abs(turning - skewing)
-    large = turning + skewing
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.where(small > 0, large / small, np.inf)
-    return ratio, turning <= skewing
 
 
 def _quantile(values: Floats, share: Floats) -> Floats:

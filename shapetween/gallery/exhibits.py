@@ -51,6 +51,8 @@ class Exhibit:
     text : str
         What to see in it.
     pictures : tuple of Picture
+    table : tuple of tuple of str
+        Rows, the first of them the heads; what starts with a star is the best of its row.
     wide : bool
         Whether it takes a whole row of the page.
     credit : str
@@ -59,7 +61,8 @@ class Exhibit:
 
     title: str
     text: str
-    pictures: tuple[Picture, ...]
+    pictures: tuple[Picture, ...] = ()
+    table: tuple[tuple[str, ...], ...] = ()
     wide: bool = True
     credit: str = ""
 
@@ -93,6 +96,12 @@ ROOMS = (
         "What the method is, and beside it what triangles do, as published and as fair as they "
         "can be.",
         "figure_*.py",
+    ),
+    Room(
+        "truth",
+        "Against what really happens",
+        "Scenes made by the computer, in which the in-betweens are known.",
+        "truth.py",
     ),
     Room(
         "showcase",

@@ -49,9 +49,30 @@ def _exhibit(exhibit: Exhibit) -> str:
         f'<img src="{escape(p.name)}" alt="{escape(p.shows)}" loading="lazy">'
         for p in exhibit.pictures
     )
+    shown = f'<div class="pictures">{pictures}</div>\n' if pictures else ""
     credit = f'<p class="credit">{escape(exhibit.credit)}</p>\n' if exhibit.credit else ""
     return (
         f'<article class="exhibit">\n<div>\n<h3>{escape(exhibit.title)}</h3>\n'
         f"<p>{escape(exhibit.text)}</p>\n</div>\n"
-        f'<div class="pictures">{pictures}</div>\n{credit}</article>\n'
+        f"{shown}{_table(exhibit.table)}{credit}</article>\n"
     )
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    if not rows:
+        return ""
+    heads = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in rows[0])
+    body = "".join(
+        f'<tr><th scope="row">{escape(row[0])}</th>{"".join(map(_cell, row[1:]))}</tr>\n'
+        for row in rows[1:]
+    )
+    return (
+        '<div class="scroll" tabindex="0" role="region" aria-label="Table">\n<table>\n'
+        f"<thead><tr>{heads}</tr></thead>\n<tbody>\n{body}</tbody>\n</table>\n</div>\n"
+    )
+
+
+def _cell(text: str) -> str:
+    if text.startswith("*"):
+        return f'<td class="best">{escape(text[1:])}</td>'
+    return f"<td>{escape(text)}</td>"
