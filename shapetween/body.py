@@ -19,8 +19,11 @@ from shapetween.plane.check import simple_frames
 
 __all__ = ["Carried", "Nodes", "RingMatch", "VertexPath", "joined_meshes"]
 
-#: Chords a curve is looked at with.
-CHORDS = 8
+#: Chords a curve is looked at with, and points of a frame past which they become fewer.
+CHORDS, MOST_POINTS = 8, 8000
+
+#: Curves of all frames that are held at once; more cost memory and are no quicker.
+POINTS_AT_ONCE = 200_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,8 +133,16 @@ class Nodes:
 
     def simple(self, t: Floats, vertices: Points) -> Mask:
         """In which frames the drawn rings cross neither themselves nor each other, (F,)."""
-        sizes = tuple(CHORDS * carrier.count for carrier in self.carriers)
-        return simple_frames(flatten(self.curves(vertices, t), CHORDS), sizes)
+        count = sum(carrier.count for carrier in self.carriers)
+        chords = max(1, min(CHORDS, MOST_POINTS // count))
+        sizes = tuple(chords * carrier.count for carrier in self.carriers)
+        # Outlines of tens of thousands of curves are looked at less often, and a few at a time.
+        looked = np.arange(0, len(t), 1 + count // MOST_POINTS)
+        result = np.ones(len(t), dtype=bool)
+        for some in np.array_split(looked, 1 + len(looked) * count // POINTS_AT_ONCE):
+            drawn = flatten(self.curves(vertices[some], t[some]), chords)
+            result[some] = simple_frames(drawn, sizes)
+        return result
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,12 +20,15 @@ from shapetween.parts import FilledPart
 from shapetween.passengers import Passenger
 from shapetween.regions import Region, regions_of
 from shapetween.ring import match_hole, match_outer, next_matches
-from shapetween.unfold import TOLERANCES, bare, unfolded
+from shapetween.unfold import MOST_NODES, TOLERANCES, bare, unfolded
 
 __all__ = ["FillSettings", "morph_fill"]
 
 #: Most pieces of a shape that move in one plane, kept apart from each other. More cost too much.
 MOST_TOGETHER = 12
+
+#: Curves of both outlines together past which one setting is all there is time for.
+MANY_CURVES = 1500
 
 #: Next best matchings tried where the best one crosses. More cost seconds and are rarely right.
 OTHER_MATCHINGS = 2
@@ -224,9 +227,11 @@ def _moved(
 
 def _alone(rings: list[RingMatch], settings: FillSettings) -> Carried:
     """One body in a plane of its own; where it crosses, by the next best matching."""
-    best = unfolded(rings, settings.method)
     outer, holes = rings[0], rings[1:]
-    if not best.crossing or outer.found == "given" or len(settings.used_pins):
+    many = len(outer.source.curves) + len(outer.target.curves) > MANY_CURVES
+    best = unfolded(rings, settings.method, TOLERANCES[:1] if many else TOLERANCES)
+    pinned = outer.found == "given" or len(settings.used_pins) > 0
+    if many or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES // 2:
         return best
     for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
         found = unfolded([other, *holes], settings.method, TOLERANCES[:2])

@@ -129,6 +129,15 @@ class MatchedOutlines:
         rows = rows[:, order]
         rows[1], rows[2] = _spaced(rows[1], own[0]), _spaced(rows[2], own[1])
         self._joints = rows
+        sharp = np.concatenate(
+            [
+                np.maximum(np.abs(kinks_a[first]), np.abs(kinks_b[second])),
+                np.abs(kinks_a[alone_a]),
+                np.abs(kinks_b[alone_b]),
+            ]
+        )
+        sharp[: len(held)] = np.inf  # anchors stand first among the joined, and count most
+        self._sharpness = sharp[order]
 
     def points(self, w: Floats) -> tuple[Points, Points]:
         """Matched points of source and target at the parameters (N,)."""
@@ -142,8 +151,13 @@ class MatchedOutlines:
         return turn(self._to_u.inverse()(u))
 
     def samples(self, count: int) -> Samples:
-        """About `count` even samples, and every joint among them."""
+        """About `count` even samples, and as many joints at most among them, the sharpest."""
         joints = self._joints[0]
+        if len(joints) > count:
+            # Of every short stretch its sharpest joint, so that none of it goes unseen.
+            stretch = (joints * count).astype(np.intp)
+            order = np.lexsort((-self._sharpness, stretch))
+            joints = joints[np.sort(order[np.unique(stretch[order], return_index=True)[1]])]
         even = np.arange(count) / count
         around = np.concatenate([joints[-1:] - 1, joints, joints[:1] + 1])
         after = np.searchsorted(around, even)

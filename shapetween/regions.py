@@ -25,6 +25,9 @@ __all__ = ["Region", "regions_of"]
 #: may touch itself in a slit where the curve does not.
 CHORDS, FINE_CHORDS = 12, 48
 
+#: Points of a ring past which its curves have fewer chords.
+MOST_POINTS = 20_000
+
 #: Share of its area by which a ring may overlap itself or another and still count as apart:
 #: editors round coordinates and leave closing lines that step back by the last digit.
 NEGLIGIBLE = 1e-4
@@ -105,7 +108,7 @@ def _encloses(ring: Outline) -> bool:
     if abs(ring.area) > least:
         return True
     # Lobes that run opposite ways cancel out in the signed area.
-    polygon = shapely.Polygon(flatten(ring.curves, CHORDS))
+    polygon = shapely.Polygon(_flat(ring, CHORDS))
     return bool(shapely.make_valid(polygon).area > least)
 
 
@@ -116,7 +119,7 @@ def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
     polygons = []
     for ring in rings:
         for chords in (CHORDS, FINE_CHORDS):
-            polygon = shapely.Polygon(flatten(ring.curves, chords))
+            polygon = shapely.Polygon(_flat(ring, chords))
             if polygon.is_valid:
                 break
             fixed = shapely.make_valid(polygon)
@@ -182,7 +185,7 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
     """Regions that crossing rings show, as polygons."""
     import shapely
 
-    points = [flatten(ring.curves, FINE_CHORDS) for ring in rings]
+    points = [_flat(ring, FINE_CHORDS) for ring in rings]
     loops = [shapely.LineString(np.concatenate([p, p[:1]])) for p in points]
     lines = shapely.node(shapely.MultiLineString(loops))
     faces = list(shapely.get_parts(shapely.polygonize(list(shapely.get_parts(lines)))))
@@ -205,7 +208,14 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
     ]
 
 
+def _flat(ring: Outline, chords: int) -> Points:
+    """A ring as a polygon; of many curves, which are short, each has fewer chords."""
+    return flatten(ring.curves, max(1, min(chords, MOST_POINTS // len(ring.curves))))
+
+
 def _winding(points: Points, spot: Points) -> int:
+    if (spot < points.min(axis=0)).any() or (spot > points.max(axis=0)).any():
+        return 0
     a = points - spot
     b = np.roll(a, -1, axis=0)
     turns = np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1)).sum()
@@ -222,7 +232,7 @@ def _crossing_place(rings: list[Outline]) -> str:
     """Where rings cross first, for messages."""
     import shapely
 
-    polygons = [shapely.Polygon(flatten(ring.curves, FINE_CHORDS)) for ring in rings]
+    polygons = [shapely.Polygon(_flat(ring, FINE_CHORDS)) for ring in rings]
     for polygon in polygons:
         reason = shapely.is_valid_reason(polygon)
         if "[" in reason:

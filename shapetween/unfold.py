@@ -24,11 +24,15 @@ from shapetween.plane.check import simple_frames
 from shapetween.plane.ladder import CHECKED_TIMES, settle
 from shapetween.plane.mesh import PlaneMesh, plane_mesh
 
-__all__ = ["TOLERANCES", "bare", "unfolded"]
+__all__ = ["MOST_NODES", "TOLERANCES", "bare", "unfolded"]
 
 #: Greatest distance of an outline from its nodes' polygon, as a share of the root of the area:
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.
 TOLERANCES = (0.03, 0.012, 0.005)
+
+#: Nodes of a body past which its plane takes long, and what the first tolerance is then multiplied
+#: by to come near as many.
+MOST_NODES, COARSER = 220, (1.5, 2.5, 4.0)
 
 #: Stands in for triangles whose own shape cannot be used.
 ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
@@ -61,24 +65,35 @@ def unfolded(
     return loose if best is None or loose.crossing < best.crossing else best
 
 
+def _nodes(rings: tuple[RingMatch, ...], tolerance: float) -> Nodes:
+    return Nodes(
+        rings,
+        tuple(
+            outline_nodes(
+                ring.samples.source,
+                ring.samples.target,
+                ring.kept,
+                tolerance=tolerance,
+                span=SPAN,
+            )
+            for ring in rings
+        ),
+    )
+
+
 def _settings(
     rings: tuple[RingMatch, ...], method: str, tolerances: Sequence[float]
 ) -> Iterator[Carried]:
     pair = joined_meshes(rings)
     for tolerance in tolerances:
-        nodes = Nodes(
-            rings,
-            tuple(
-                outline_nodes(
-                    ring.samples.source,
-                    ring.samples.target,
-                    ring.kept,
-                    tolerance=tolerance,
-                    span=SPAN,
-                )
-                for ring in rings
-            ),
-        )
+        nodes = _nodes(rings, tolerance)
+        if len(nodes.ends[0]) > MOST_NODES:
+            if tolerance != tolerances[0]:
+                return
+            nodes = min(
+                (_nodes(rings, factor * tolerance) for factor in COARSER),
+                key=lambda n: abs(len(n.ends[0]) - MOST_NODES),
+            )
         sizes = tuple(len(k) for k in nodes.chosen)
         if not simple_frames(np.stack(nodes.ends), sizes).all():
             continue
