@@ -12,7 +12,7 @@ from shapetween import files
 from shapetween.arrays import Affine, Index, Points
 from shapetween.body import Carried, joined_meshes
 from shapetween.drawing import Drawing
-from shapetween.errors import MeshError, OptionError, ShapetweenError
+from shapetween.errors import MeshError, OptionError, OutlineError, ShapetweenError
 from shapetween.fit import inverted, mapped
 from shapetween.image.layers import Piece
 from shapetween.image.light import srgb_to_linear
@@ -206,7 +206,10 @@ def meshes_in_outlines(
     from shapetween.api import morph
 
     drawings = [_filled(_drawing(path)) for path in paths]
-    found = morph(drawings[0], drawings[1], observe=observe, **settings)
+    try:
+        found = morph(drawings[0], drawings[1], observe=observe, **settings)
+    except OutlineError as error:
+        raise OutlineError(f"{paths[0]}, {paths[1]}: {error}") from error
     fits = [_over(drawing, picture) for drawing, picture in zip(drawings, pictures, strict=True)]
     pieces = [
         _piece(body, settings.get("method", "projective"), fits, found.prepared.fit)
