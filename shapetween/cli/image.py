@@ -61,7 +61,8 @@ class Size(click.ParamType[Any]):
     "--mesh",
     type=click.Path(path_type=Path),
     metavar="FILE.json",
-    help="A mesh over both pictures instead, in pixels.",
+    help="A mesh over both pictures instead, in pixels. With --method linear the edges of a mesh "
+    "over whole pictures stay in place.",
 )
 @click.option(
     "--outlines",
