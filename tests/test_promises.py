@@ -139,7 +139,7 @@ def test_units_do_not_matter(
     small = [
         replace(moved(d, matrix), box=Box(0, 0, 24 * size, 24 * size)) for d in (horse, kangaroo)
     ]
-    got = prepare(*small).movement.parts[0].curves(T) / size
+    got = prepare(small[0], small[1]).movement.parts[0].curves(T) / size
     np.testing.assert_allclose(got, base.movement.parts[0].curves(T), atol=1e-6 * 24)
 
 

@@ -130,9 +130,7 @@ def frames(a: Path, b: Path, out: Path | None, count: int, easing: str, common: 
     "the mesh of 'image' in JSON.",
 )
 @common
-def mesh(
-    a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], common: Common
-) -> None:
+def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], common: Common) -> None:
     """Show what goes where: both shapes with numbered quads and matched nodes.
 
     Ending in .json, OUT is a mesh to keep, edit and give back with --mesh.
