@@ -33,6 +33,10 @@ MAX_STRETCH = 3.0
 #: Residual of an affine fit, as a share of the target's size, up to which it is taken as exact.
 EXACT_FIT = 1e-3
 
+#: Share of their extent that points may lie off one line and still say nothing of what happens
+#: across it.
+FLAT = 1e-6
+
 
 def affine_between(source: Points, target: Points) -> tuple[Floats, Floats]:
     """Rotation angle and stretch of the affine map that best takes matched points on each other.
@@ -46,13 +50,16 @@ def affine_between(source: Points, target: Points) -> tuple[Floats, Floats]:
     angle : () float64
     stretch : (2, 2) float64
         Symmetric, positive definite. Where the best affine map turns the plane over, or stretches
-        one way far more than the other without fitting, that of the best similarity.
+        one way far more than the other without fitting, or the points lie on one line, that of
+        the best similarity.
     """
     p, q = source - source.mean(axis=0), target - target.mean(axis=0)
-    linear = np.linalg.lstsq(p, q, rcond=None)[0].T
+    solution, _, _, spread = np.linalg.lstsq(p, q, rcond=None)
+    linear = solution.T
     d = np.linalg.svd(linear, compute_uv=False)
     misfit = np.linalg.norm(p @ linear.T - q) / np.linalg.norm(q)
-    sound = np.linalg.det(linear) > 0 and (d[0] <= MAX_STRETCH * d[1] or misfit < EXACT_FIT)
+    sound = np.linalg.det(linear) > 0 and spread[1] > FLAT * spread[0]
+    sound &= d[0] <= MAX_STRETCH * d[1] or misfit < EXACT_FIT
     if not sound:
         dot, turned = float((p * q).sum()), float(cross(p, q).sum())
         size = np.hypot(dot, turned) / float((p * p).sum())

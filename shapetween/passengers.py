@@ -66,7 +66,9 @@ class Passenger:
         first = outer.reversed() if is_hole else outer
         rings = [first, *(hole.reversed() for hole in holes)]
         curves = np.concatenate([ring.curves for ring in rings])
-        polygon = shapely.make_valid(shapely.Polygon(flatten(outer.curves, CHORDS)))
+        polygon = shapely.make_valid(
+            shapely.Polygon(flatten(outer.curves, CHORDS)), method="structure", keep_collapsed=False
+        )
         extent = float(np.ptp(outer.box, axis=0).max())
         circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
         centre = np.array(circle.coords[0])

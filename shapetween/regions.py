@@ -32,6 +32,10 @@ MOST_POINTS = 20_000
 #: editors round coordinates and leave closing lines that step back by the last digit.
 NEGLIGIBLE = 1e-4
 
+#: Share of its length that a ring may run back along itself and keep its curves: what a closing
+#: line that steps back does, but not a spike, nor a bridge to a hole.
+RETRACED = 1e-3
+
 #: Share of the whole area below which a ring shows nothing.
 SPECK = 1e-9
 
@@ -122,12 +126,12 @@ def _simple_polygons(rings: list[Outline]) -> "list[shapely.Polygon] | None":
             polygon = shapely.Polygon(_flat(ring, chords))
             if polygon.is_valid:
                 break
-            fixed = shapely.make_valid(polygon)
-            if abs(float(fixed.area) - abs(ring.area)) <= NEGLIGIBLE * abs(ring.area):
-                # Parts of parts: a collection may hold a multipolygon.
-                parts = shapely.get_parts(shapely.get_parts(fixed))
-                parts = [part for part in parts if part.geom_type == "Polygon"]
-                polygon = max(parts, key=shapely.area)
+            fixed = shapely.make_valid(polygon, method="structure", keep_collapsed=False)
+            # Where it runs there and back along itself, the mended outline is shorter.
+            retraced = float(polygon.length - fixed.length)
+            same = abs(float(fixed.area) - abs(ring.area)) <= NEGLIGIBLE * abs(ring.area)
+            if same and retraced <= RETRACED * polygon.length:
+                polygon = max(shapely.get_parts(fixed), key=shapely.area)
                 break
         else:
             return None

@@ -81,7 +81,7 @@ def test_an_affine_image_is_carried_affinely(seed: int, matrix: Affine) -> None:
     v = np.concatenate([[0.0], ends[1].joints[1:], [1.0]])
     u = np.concatenate([[0.0], ends[0].joints[1:], [1.0]])
     outlines = MatchedOutlines(*ends, u, v, exact=True)
-    nodes = outlines.samples(1).w[outlines.samples(1).joints]
+    nodes = outlines.cut(np.zeros(0)).w
     a, b = outlines.points(nodes)
     carrier = Carrier(outlines.cut(np.zeros(0)), nodes, a, b)
     angle, stretch = affine_between(a, b)
@@ -118,8 +118,7 @@ def test_sides_straight_at_both_ends_stay_straight(seed: int) -> None:
     ends = ArcLength(source), ArcLength(target)
     u, v = (np.append(place.joints, 1.0) for place in ends)
     outlines = MatchedOutlines(*ends, u, v)
-    joints = outlines.samples(1)
-    nodes = joints.w[joints.joints]
+    nodes = outlines.cut(np.zeros(0)).w
     a, b = outlines.points(nodes)
     carrier = Carrier(outlines.cut(np.zeros(0)), nodes, a, b)
     turned = a.mean(axis=0) + (a - a.mean(axis=0)) @ rotation(1.0).T
@@ -189,3 +188,11 @@ def test_a_fit_that_would_turn_the_plane_over_is_a_similarity() -> None:
         values = np.linalg.eigvalsh(stretch)
         assert values[0] == pytest.approx(values[1])
         assert values[0] > 0
+
+
+def test_points_on_a_line_say_nothing_of_what_is_across() -> None:
+    """Two nodes are all that some holes have."""
+    points = np.array([[10.1, 8.3], [20.6, 20.9]])
+    for image in (points, points * 2.5, points @ rotation(2.0).T):
+        _, stretch = affine_between(points, image)
+        assert np.linalg.cond(stretch) == pytest.approx(1)

@@ -139,6 +139,15 @@ def test_a_closing_line_that_steps_back_is_no_crossing() -> None:
     assert len(found[0].outer.curves) <= 5
 
 
+def test_spikes_go_and_bridges_to_holes_are_opened() -> None:
+    """Outlines that run there and back along themselves show nothing there."""
+    spiked = ring((0, 0), (8, 0), (8, 5), (20, 5), (8, 5), (8, 8), (0, 8))
+    assert areas(regions(spiked)) == [(64, [])]
+    inner = [(3, 3), (3, 6), (6, 6), (6, 3), (3, 3)]
+    keyhole = ring((0, 0), *inner, (0, 0), (9, 0), (9, 9), (0, 9))
+    assert areas(regions(keyhole)) == [(81, [9])]
+
+
 def test_specks_do_not_count() -> None:
     flat = ring((0, 0), (5, 0), (10, 0))
     assert areas(regions(square(0, 0, 4), flat)) == [(16, [])]

@@ -154,7 +154,8 @@ def _touching_discs(points: Points, tangents: Points) -> tuple[Floats, Floats]:
     square = x * x + y * y
     gap = np.abs(np.arange(count) - np.arange(count)[:, None])
     # Neighbours say how the outline is sampled, not how thick the shape is.
-    square[np.minimum(gap, count - gap) <= 2] = np.inf
+    # Nor do points in one place, where an outline runs back along itself.
+    square[(np.minimum(gap, count - gap) <= 2) | (square == 0)] = np.inf
     with np.errstate(divide="ignore"):
         curvature = 2 * height / square
     inside, outside = curvature.max(axis=1), -curvature.min(axis=1)
