@@ -69,7 +69,7 @@ def _ffmpeg() -> str:
     found = shutil.which("ffmpeg")
     if found is None:
         try:
-            from imageio_ffmpeg import get_ffmpeg_exe  # type: ignore[import-untyped]
+            from imageio_ffmpeg import get_ffmpeg_exe
         except ImportError as error:
             raise OptionError(
                 "MP4 needs ffmpeg; install it, or: pip install 'shapetween[video]'"
