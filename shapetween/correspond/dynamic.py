@@ -61,14 +61,17 @@ class Paths:
         windows = sliding_window_view(prices, width + 1, axis=2)
         self.starts = starts
         self._windows = windows
+        chosen = _as_slice(starts)
         table = np.full((rows + 1, len(starts), width + 1), np.inf)
         table[0, :, 0] = 0.0
+        reached = np.zeros((len(starts), width + 1))
         for i in range(1, rows + 1):
             row = table[i]
             for (di, dj), price in zip(MOVES, windows[:, i], strict=True):
                 if di <= i:
-                    reached = table[i - di, :, : width + 1 - dj] + price[starts, dj:]
-                    np.minimum(row[:, dj:], reached, out=row[:, dj:])
+                    sums = reached[:, dj:]
+                    np.add(table[i - di, :, : width + 1 - dj], price[chosen, dj:], out=sums)
+                    np.minimum(row[:, dj:], sums, out=row[:, dj:])
         self._table = table
         self.costs = table[rows, :, width] / rows
 
@@ -90,6 +93,16 @@ class Paths:
             nodes.append((i, j))
         rows, columns = np.array(nodes[::-1], dtype=np.intp).T
         return rows, columns
+
+
+def _as_slice(starts: Index) -> Index | slice:
+    """The starts as a slice where they are evenly spaced: looking these up copies nothing."""
+    if len(starts) == 1:
+        return slice(int(starts[0]), int(starts[0]) + 1)
+    steps = np.diff(starts)
+    if steps[0] > 0 and (steps == steps[0]).all():
+        return slice(int(starts[0]), int(starts[-1]) + 1, int(steps[0]))
+    return starts
 
 
 def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> Paths:
