@@ -16,10 +16,10 @@ def draw() -> list[Exhibit]:
     text = (
         "Median error of the in-betweens at a quarter, half and three quarters of the way, in "
         f"percent of the scene's radius, over {COUNT} scenes of each kind; the best of each row "
-        "stands out. Homographies win wherever there is something inside the quads to see. Where "
-        "only corners count, triangles are as good on limbs and past half a turn, if they are "
-        "fair: as published they fail there. Straight lines hold their own only where nothing "
-        "turns."
+        "stands out. Homographies win where there is something inside the quads to see, but for "
+        "a board of many quads, where triangles are a little better. Where only corners count, "
+        "fair triangles are as good or nearly; the published ones come apart past half a turn. "
+        "Straight lines hold their own only where nothing turns."
     )
     shown = (("", *methods), *(cells(row, methods) for row in rows))
     return [Exhibit("Errors of each method", text, table=shown)]

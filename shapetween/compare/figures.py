@@ -72,7 +72,8 @@ COLUMNS = (
     Column(
         "distortion",
         "Distortion",
-        "Mean ratio of stretches, less one, over the inside and the way, against the nearer end.",
+        "Mean ratio of stretches, less one, over the inside and the way, against the nearer end. "
+        "The guarded movement is measured on its own, finer faces, which show more of it.",
         "",
     ),
     Column(

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import math
 from collections.abc import Mapping, Sequence
 from html import escape
 from importlib.resources import files
@@ -167,7 +168,7 @@ def _plots(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
 
 
 def _table(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
-    least = {c.key: min(f.whole[c.key] for f in figures.values()) for c in COLUMNS}
+    best = {c.key: _best(c, figures) for c in COLUMNS}
     heads = "".join(f'<th scope="col">{escape(c.title)}</th>' for c in COLUMNS)
     rows = []
     for variant in variants:
@@ -178,7 +179,7 @@ def _table(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
             whole = figures[variant.key].whole
             cells = "".join(
                 f'<td class="best">{_shown(whole[c.key], c)}</td>'
-                if c.judged and whole[c.key] <= least[c.key] + TIE
+                if whole[c.key] <= best[c.key]
                 else f"<td>{_shown(whole[c.key], c)}</td>"
                 for c in COLUMNS
             )
@@ -193,6 +194,13 @@ def _table(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
         f"<details><summary>What the columns mean</summary><dl>{meanings}</dl></details>\n"
         "</section>\n"
     )
+
+
+def _best(column: Column, figures: Mapping[str, Figures]) -> float:
+    """The largest value that is marked; less than all where none is better than another."""
+    values = [each.whole[column.key] for each in figures.values()]
+    least = min(values) + TIE
+    return least if column.judged and max(values) > least else -math.inf
 
 
 def _shown(value: float, column: Column) -> str:

@@ -7,6 +7,7 @@ from textwrap import wrap
 import numpy as np
 
 from shapetween.arrays import Floats, Points
+from shapetween.compare.figures import TIMES
 from shapetween.compare.variants import Variant
 from shapetween.drawing import Box
 from shapetween.frames import KEYFRAME_TOLERANCE, Schedule
@@ -20,8 +21,9 @@ __all__ = ["film_strip", "playing", "seen_box", "side_by_side"]
 #: Room around everything that is drawn at any time, as a share of its larger side.
 ROOM = 0.05
 
-#: Times at which it is found out how far the movements reach.
-REACH = np.linspace(0.0, 1.0, 25)
+#: How far outside the view box something may be and still be shown, as a share of its sides. More,
+#: and one stray speck makes all the rest small.
+FARTHEST = 0.2
 
 #: How much coarser keyframes and numbers are than in an animation of its own: panels are small.
 COARSER, FEWER_DECIMALS = 2.5, 1
@@ -39,12 +41,13 @@ PAPER, INK, FAINT = "#f6f4ee", "#22262e", "#6a6f7a"
 
 
 def seen_box(variants: Sequence[Variant]) -> Box:
-    """A box that holds the view box and all that any variant draws at any time."""
+    """A box that holds the view box and what any variant draws at any time, if not too far off."""
     moving = [v.movement for v in variants if v.movement is not None]
     view = moving[0].box
     points = [np.array([[view.x, view.y], [view.x + view.width, view.y + view.height]])]
-    points += [part.curves(REACH).reshape(-1, 2) for m in moving for part in m.parts]
-    everything = np.concatenate(points)
+    points += [part.curves(TIMES).reshape(-1, 2) for m in moving for part in m.parts]
+    margin = FARTHEST * (points[0][1] - points[0][0])
+    everything = np.clip(np.concatenate(points), points[0][0] - margin, points[0][1] + margin)
     low, high = everything.min(axis=0), everything.max(axis=0)
     room = ROOM * float((high - low).max())
     x, y = (low - room).tolist()

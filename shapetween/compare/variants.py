@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from shapetween.body import Carried, RingMatch
+from shapetween.arrays import Floats, Points
+from shapetween.body import Carried, RingMatch, VertexPath
 from shapetween.compare.skeleton import Skeleton
 from shapetween.errors import OptionError, ShapetweenError
 from shapetween.interpolate import METHODS
@@ -78,13 +79,49 @@ def first_variant(prepared: Prepared, method: str, folds: Folds, failure: str = 
     variant = _named(method, folds)
     if failure:
         return replace(variant, failure=failure)
-    skeletons = tuple(Skeleton.of(b, method) for part in prepared.filled for b in part.bodies)
-    return replace(variant, movement=_unnamed(prepared.movement), skeletons=skeletons)
+    parts = tuple(
+        _remembering(part) if isinstance(part, FilledPart) else part
+        for part in prepared.movement.parts
+    )
+    movement = _unnamed(replace(prepared.movement, parts=parts))
+    moving = replace(variant, movement=movement)
+    skeletons = tuple(Skeleton.of(body, method) for body in moving.bodies)
+    return replace(moving, skeletons=skeletons)
 
 
 def bare_variants(prepared: Prepared, methods: Sequence[str] = tuple(METHODS)) -> list[Variant]:
     """The same matching and mesh, moved by each method alone; a method that fails says why."""
     return [_bare_variant(prepared, method) for method in methods]
+
+
+class _Remembered:
+    """A path that is asked for the same times again and again, and solved for them once."""
+
+    def __init__(self, path: VertexPath) -> None:
+        self._path = path
+        self._found: dict[bytes, Points] = {}
+        #: What a passenger rides on and a skeleton is made of.
+        self.mesh = getattr(path, "mesh", None)
+
+    def vertices(self, t: Floats) -> Points:
+        """All vertices at the times (F,), (F, V, 2)."""
+        key = t.tobytes()
+        if key not in self._found:
+            self._found[key] = self._path.vertices(t)
+        return self._found[key]
+
+
+def _remembering(part: FilledPart) -> FilledPart:
+    """The same part, all of whose bodies and riders share what was solved."""
+    bodies = [replace(body, path=_Remembered(body.path)) for body in part.bodies]
+    known = {id(old): new for old, new in zip(part.bodies, bodies, strict=True)}
+    passengers = tuple(
+        rider
+        if rider.ride is None
+        else replace(rider, ride=replace(rider.ride, on=known[id(rider.ride.on)]))
+        for rider in part.passengers
+    )
+    return replace(part, bodies=tuple(bodies), passengers=passengers)
 
 
 def _named(method: str, folds: Folds) -> Variant:
