@@ -45,7 +45,7 @@ LETTERS = "MLHVCSQTAZmlhvcsqtaz"
 LIMITS = Limits(elements=200, use_copies=50, path_commands=400, entity_growth=2000)
 
 #: Mutants of each seed. All of it takes some seconds.
-MUTANTS = 10
+MUTANTS = 6
 
 
 def mutant(text: str, rng: random.Random) -> str:
@@ -81,7 +81,7 @@ def test_mutants_move_or_are_refused(name: str) -> None:
         try:
             drawing = read_svg(text.encode(), "mutant", LIMITS)
             pair = (drawing, other) if number % 2 else (other, drawing)
-            options = Options(folds="prevent" if number % 5 == 0 else "allow")
+            options = Options(folds="prevent" if number % 6 == 0 else "allow")
             movement = prepare(*pair, options).movement
             frames = movement.at(t)
             texts = [frame_svg(frame) for frame in frames] + [smil_svg(movement, keyframes=3)]

@@ -1,0 +1,85 @@
+"""The library's front door, on a pair that is quickly moved."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import shapetween as st
+from shapetween.errors import InputError, OptionError
+from tests.cli.commands import SQUARE, TRIANGLE, svg
+from tests.drawings import area, drawing, line, square
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    folder = tmp_path_factory.mktemp("pair")
+    for name, content in (("a", svg(SQUARE)), ("b", svg(TRIANGLE, "0 0 20 20"))):
+        (folder / f"{name}.svg").write_text(content, "utf-8")
+    return folder / "a.svg", folder / "b.svg"
+
+
+@pytest.fixture(scope="module")
+def moved(pair: tuple[Path, Path]) -> st.Morph:
+    return st.morph(*pair)
+
+
+def test_frames_are_the_drawings_at_even_times(moved: st.Morph) -> None:
+    frames = moved.frames(5)
+    assert len(frames) == 5
+    for frame, t in zip(frames, np.linspace(0, 1, 5), strict=True):
+        curves = moved.at(float(t)).shapes[0].rings[0].curves
+        np.testing.assert_allclose(frame.shapes[0].rings[0].curves, curves, atol=1e-12)
+    with pytest.raises(OptionError, match=r"t: 1\.5 is not from 0 to 1"):
+        moved.at(1.5)
+    with pytest.raises(OptionError, match="not from 0 to 1"):
+        moved.at(float("nan"))
+
+
+def test_writing(moved: st.Morph, tmp_path: Path) -> None:
+    moved.write(tmp_path / "out.svg", duration=3.0, loop="repeat")
+    text = (tmp_path / "out.svg").read_text("utf-8")
+    assert text == moved.svg(duration=3.0, loop="repeat")
+    assert text != moved.svg()
+    assert "animate" in moved._repr_html_()
+
+
+def test_a_mesh_goes_round(pair: tuple[Path, Path], moved: st.Morph) -> None:
+    ((name, mesh),) = moved.meshes
+    assert name == ""
+    again = st.morph(*pair, mesh=mesh)
+    ((_, kept),) = again.meshes
+    assert len(kept.quads) == len(mesh.quads)
+    assert again.report()["rings"][0]["found"] == "given"
+    assert len(json.loads(moved.mesh_json())["quads"]) == len(mesh.quads)
+    assert "<svg" in moved.mesh_svg()
+
+
+def test_drawings_are_taken_as_they_are() -> None:
+    first, second = drawing(area(square(10, 10, 40))), drawing(area(square(30, 30, 40)))
+    found = st.morph(first, second, folds="allow", quads=4)
+    assert found.warnings == ()
+    middle = found.at(0.5).shapes[0].rings[0]
+    np.testing.assert_allclose(middle.box, [[20, 20], [60, 60]], atol=1e-6)
+
+
+def test_what_has_no_mesh_says_so() -> None:
+    lines = drawing(line((0, 0), (50, 50)))
+    found = st.morph(lines, lines)
+    assert found.meshes == ()
+    for ask in (found.mesh_json, found.mesh_svg):
+        with pytest.raises(OptionError, match="there is no mesh"):
+            ask()
+
+
+def test_a_file_that_is_not_there_is_named() -> None:
+    with pytest.raises(InputError, match=r"none\.svg: there is no such file"):
+        st.morph("none.svg", "b.svg")
+
+
+def test_public_names_are_there() -> None:
+    for name in st.__all__:
+        assert getattr(st, name) is not None
+    with pytest.raises(AttributeError, match="no attribute 'nope'"):
+        st.nope  # noqa: B018
