@@ -1,6 +1,7 @@
 """The command that makes many pairs at once."""
 
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
@@ -17,6 +18,8 @@ __all__ = ["batch"]
 
 #: Seconds to look for a cluster. Longer only delays the message that there is none.
 PATIENCE = 10
+#: Where a scheduler may be. A client that is given anything else waits long, and ends with noise.
+_ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 
 #: Arguments of `morph` that are not options of a row.
 _NOT_A_ROW = frozenset({"a", "b", "out", "mesh", "report", "quiet", "verbose"})
@@ -200,6 +203,8 @@ def _executor(address: str | None) -> Iterator[Executor | None]:
     if address is None:
         yield None
         return
+    if not _ADDRESS.fullmatch(address):
+        raise OptionError(f"--dask: {address!r} is no address such as tcp://10.0.0.1:8786")
     try:
         from distributed import Client
     except ImportError as error:

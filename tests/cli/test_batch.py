@@ -75,6 +75,7 @@ def test_a_pair_that_fails(run: Command, table: Path) -> None:
         ("batch none.csv -o out", "", "none.csv: there is no such file"),
         ("batch in/pairs.csv -o out -j 0", "", "'-j'"),
         ("batch in/pairs.csv -o out -j 2 --dask tcp://h:1", "", "--jobs counts processes"),
+        ("batch in/pairs.csv -o out --dask here", "", "--dask: 'here' is no address such as tcp:"),
         ("batch in/pairs.csv -o out --easing swift", "", "swift"),
         ("batch in/pairs.csv -o out", "a,b,method\nx,y,arpa\n", "row 2, column method: 'arpa'"),
         ("batch in/pairs.csv -o out", "a,b,pin\nx,y,1:2\n", "row 2, column pin: '1:2' is not"),
