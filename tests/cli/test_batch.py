@@ -118,7 +118,10 @@ def test_ctrl_c_ends_cleanly_and_resume_goes_on(run: Command, tmp_path: Path) ->
             while len(list(tmp_path.glob("out/*.svg"))) <= before and time.monotonic() < deadline:
                 time.sleep(0.01)
             stop(batch.pid, signal.SIGINT)
-        _, said = batch.communicate(timeout=60)
+        try:
+            _, said = batch.communicate(timeout=60)
+        finally:
+            batch.kill()
         if stop is not None:
             first, *_, last = said.splitlines()
             assert "pairs done; --resume goes on" in first
