@@ -12,6 +12,7 @@ from shapetween.carry import affine_between
 from shapetween.drawing import Shape
 from shapetween.errors import MeshError, OptionError, OutlineError
 from shapetween.geometry.rotation import rotations
+from shapetween.lines import morph_speck
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer
 from shapetween.outline import Outline
@@ -26,6 +27,10 @@ __all__ = ["FillSettings", "morph_fill"]
 
 #: Most pieces of a shape that move in one plane, kept apart from each other. More cost too much.
 MOST_TOGETHER = 12
+
+#: Most pieces of a shape that get meshes, and the least share of the largest one's area that a
+#: piece with a mesh has. Coasts have hundreds of islands.
+MOST_MESHED, LEAST_MESHED = 16, 1e-3
 
 #: Curves of both outlines together past which one setting is all there is time for.
 MANY_CURVES = 1500
@@ -127,7 +132,8 @@ def morph_fill(
     mesh = settings.mesh_for(name)
     bodies: list[list[RingMatch]] = []
     strangers: list[tuple[Region, bool, int]] = []
-    for i, j in pairing.pairs:
+    meshed, small = _by_size(pairing.pairs, before, after)
+    for i, j in meshed:
         outer = match_outer(
             before[i].outer,
             after[j].outer,
@@ -153,6 +159,12 @@ def morph_fill(
             Passenger.of(region.outer, (), arrives, carried[holder[body]], is_hole=True)
             for region, arrives, body in strangers
         ]
+        specks = tuple(morph_speck(before[i].outer, after[j].outer) for i, j in small)
+        passengers += [
+            Passenger.of(hole, (), arrives, None, is_hole=True)
+            for side, k, arrives in _ends_of(small)
+            for hole in (before, after)[side][k].holes
+        ]
         for side, only, arrives in (
             (before, pairing.first_only, False),
             (after, pairing.second_only, True),
@@ -166,8 +178,26 @@ def morph_fill(
             f"{f'{name}: ' if name else ''}the outline crosses itself at {crossing} of {checked} "
             "times on the way; pins on the parts that cross may help"
         )
-    part = FilledPart(name, (first.style, second.style), tuple(carried), tuple(passengers))
+    part = FilledPart(name, (first.style, second.style), tuple(carried), tuple(passengers), specks)
     return part, tuple(warnings)
+
+
+def _by_size(
+    pairs: tuple[tuple[int, int], ...], before: tuple[Region, ...], after: tuple[Region, ...]
+) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
+    """Pairs of pieces that get meshes of their own, and those too many or too small for it."""
+    sizes = [max(abs(before[i].area), abs(after[j].area)) for i, j in pairs]
+    order = sorted(range(len(pairs)), key=lambda k: -sizes[k])
+    meshed = {k for k in order[:MOST_MESHED] if sizes[k] >= LEAST_MESHED * sizes[order[0]]}
+    return (
+        [pair for k, pair in enumerate(pairs) if k in meshed],
+        [pair for k, pair in enumerate(pairs) if k not in meshed],
+    )
+
+
+def _ends_of(pairs: list[tuple[int, int]]) -> list[tuple[int, int, bool]]:
+    """Side, index and whether it arrives, of both members of each pair."""
+    return [(side, pair[side], bool(side)) for pair in pairs for side in (0, 1)]
 
 
 def _called(shape: Shape, file: str) -> str:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.arclength import ArcLength
-from shapetween.arrays import Curves, Floats, Points
+from shapetween.arrays import Curves, Floats, Index, Points
 from shapetween.correspond import correspond
 from shapetween.errors import OutlineError
 from shapetween.geometry.bezier import sub_curves
@@ -14,7 +14,7 @@ from shapetween.geometry.rotation import rotations
 from shapetween.matched import MatchedOutlines
 from shapetween.outline import Outline
 
-__all__ = ["LineMorph", "morph_line"]
+__all__ = ["LineMorph", "morph_line", "morph_speck"]
 
 #: Samples by which lines are compared.
 SAMPLES = 128
@@ -44,6 +44,11 @@ class LineMorph:
     target: Curves
     closed: bool
     angle: float
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in its one ring."""
+        return (self.count,)
 
     @property
     def count(self) -> int:
@@ -83,6 +88,29 @@ def morph_line(source: Outline, target: Outline) -> LineMorph:
     return _turned(*_open_pieces(first, second), closed=False)
 
 
+def morph_speck(source: Outline, target: Outline) -> LineMorph:
+    """Prepare the movement of a ring too small for a mesh of its own.
+
+    Parameters
+    ----------
+    source, target : Outline
+        Closed, and running the same way round.
+    """
+    first = _cut_open(source, 0.0)
+    ring, other = ArcLength(target), _samples(first)
+    points, order = _starts(ring)
+    start = int(((points[order] - other) ** 2).sum(axis=(1, 2)).argmin())
+    opened = _cut_open(target, start / SAMPLES)
+    return _turned(*_open_pieces(first, opened), closed=True)
+
+
+def _starts(ring: ArcLength) -> tuple[Points, Index]:
+    """Even points of a closed line about their mean, and their order from each of them on."""
+    points = ring.point(np.arange(SAMPLES) / SAMPLES)
+    order = (np.arange(SAMPLES)[:, None] + np.arange(SAMPLES)) % SAMPLES
+    return points - points.mean(axis=0), order
+
+
 def _closed_pieces(source: Outline, target: Outline) -> tuple[Curves, Curves] | None:
     """Matched parts of two closed lines; None where they enclose nothing to be matched by."""
     rings = [ring if ring.area >= 0 else ring.reversed() for ring in (source, target)]
@@ -109,13 +137,10 @@ def _opened(source: Outline, target: Outline) -> tuple[Outline, Outline]:
         return source, target.reversed() if backwards else target
     ring, other = ArcLength(lines[loop]), _samples(lines[1 - loop])
     # Every start and both directions of the closed line against the open one.
-    around = np.arange(SAMPLES) / SAMPLES
-    points = ring.point(around)
-    points = points - points.mean(axis=0)
-    order = (np.arange(SAMPLES)[:, None] + np.arange(SAMPLES)) % SAMPLES
+    points, order = _starts(ring)
     costs = [((points[k] - other) ** 2).sum(axis=(1, 2)) for k in (order, order[:, ::-1])]
     start = min(range(SAMPLES), key=lambda k: min(costs[0][k], costs[1][k]))
-    opened = _cut_open(lines[loop], float(around[start]))
+    opened = _cut_open(lines[loop], start / SAMPLES)
     if costs[1][start] < costs[0][start]:
         opened = opened.reversed()
     lines[loop] = opened

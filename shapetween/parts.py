@@ -25,12 +25,15 @@ class FilledPart:
     styles : (Style, Style)
     bodies : tuple of Carried
     passengers : tuple of Passenger
+    specks : tuple of LineMorph
+        Pieces too small for meshes, as closed lines.
     """
 
     name: str
     styles: tuple[Style, Style]
     bodies: tuple[Carried, ...]
     passengers: tuple[Passenger, ...] = ()
+    specks: tuple[LineMorph, ...] = ()
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -51,8 +54,8 @@ class FilledPart:
         return blend(*self.styles, t)
 
     @property
-    def _riders(self) -> tuple[Carried | Passenger, ...]:
-        return (*self.bodies, *self.passengers)
+    def _riders(self) -> tuple[Carried | Passenger | LineMorph, ...]:
+        return (*self.bodies, *self.passengers, *self.specks)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -15,6 +15,10 @@ __all__ = ["Passenger"]
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
 
+#: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Handles
+#: stick out a little; what lies beyond the mesh would be flung about.
+BEYOND = 0.5
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Passenger:
@@ -99,7 +103,8 @@ class _Ride:
     weights: Floats
 
     @classmethod
-    def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride":
+    def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride | None":
+        """Find each point's triangle; None if one lies outside the plane mesh."""
         vertices = mesh.target if arrives else mesh.source
         corners = vertices[mesh.triangles]
         first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -113,6 +118,8 @@ class _Ride:
         # The triangle whose least weight is greatest holds the point, or is nearest to holding it.
         least = np.where(sound & ~mesh.turned, weights.min(axis=-1), -np.inf)
         chosen = least.argmax(axis=1)
+        if least.max(axis=1).min() < -BEYOND:
+            return None
         return cls(on, mesh.triangles[chosen], weights[np.arange(len(points)), chosen])
 
     def at(self, t: Floats) -> Points:

@@ -28,6 +28,9 @@ CHORDS, FINE_CHORDS = 12, 48
 #: Points of a ring past which its curves have fewer chords.
 MOST_POINTS = 20_000
 
+#: Curves of a shape past which its rings are overlaid as areas instead of cut by each other.
+MOST_CUT = 4000
+
 #: Share of its area by which a ring may overlap itself or another and still count as apart:
 #: editors round coordinates and leave closing lines that step back by the last digit.
 NEGLIGIBLE = 1e-4
@@ -189,6 +192,8 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
     """Regions that crossing rings show, as polygons."""
     import shapely
 
+    if sum(len(ring.curves) for ring in rings) > MOST_CUT:
+        return _overlaid(rings, rule)
     points = [_flat(ring, FINE_CHORDS) for ring in rings]
     loops = [shapely.LineString(np.concatenate([p, p[:1]])) for p in points]
     lines = shapely.node(shapely.MultiLineString(loops))
@@ -204,11 +209,35 @@ def _resolved(rings: list[Outline], rule: FillRule) -> list[Region]:
         winding = sum(_winding(p, spot) for p in points)
         if winding % 2 if rule == "evenodd" else winding != 0:
             kept.append(face)
-    merged = shapely.get_parts(shapely.union_all(kept)) if kept else []
+    return _of_area(shapely.union_all(kept), total) if kept else []
+
+
+def _overlaid(rings: list[Outline], rule: FillRule) -> list[Region]:
+    """Regions of so many rings that they cannot all be cut by each other.
+
+    Under the nonzero rule, rings that run against the largest one are taken for holes.
+    """
+    import shapely
+
+    polygons = [shapely.make_valid(shapely.Polygon(_flat(ring, FINE_CHORDS))) for ring in rings]
+    if rule == "evenodd":
+        area = shapely.symmetric_difference_all(polygons)
+    else:
+        largest = max(rings, key=lambda ring: abs(ring.area))
+        along = [ring.area * largest.area > 0 for ring in rings]
+        area = shapely.union_all([p for p, same in zip(polygons, along, strict=True) if same])
+        cut = [p for p, same in zip(polygons, along, strict=True) if not same]
+        area = shapely.difference(area, shapely.union_all(cut)) if cut else area
+    return _of_area(area, float(area.area))
+
+
+def _of_area(area: "shapely.Geometry", total: float) -> list[Region]:
+    import shapely
+
     return [
         Region(_of_polygon(p.exterior.coords), tuple(_of_polygon(h.coords) for h in p.interiors))
-        for p in merged
-        if p.area > SPECK * total
+        for p in shapely.get_parts(shapely.get_parts(area))
+        if p.geom_type == "Polygon" and p.area > SPECK * total
     ]
 
 
