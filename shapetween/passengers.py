@@ -15,8 +15,8 @@ __all__ = ["Passenger"]
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
 
-#: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Handles
-#: stick out a little; what lies beyond the mesh would be flung about.
+#: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Its
+#: handles may stick out a little; what lies beyond the mesh would be flung about.
 BEYOND = 0.5
 
 
