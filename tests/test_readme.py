@@ -105,3 +105,8 @@ def test_options_exist(
     told = capsys.readouterr().out
     for name in re.findall(r"--[a-z]+", option):
         assert name in told
+
+
+def test_files_that_are_shown_exist() -> None:
+    for path in re.findall(r'(?:src="|\]\()([^"):]+\.\w+)', README):
+        assert (ROOT / path).is_file(), path

@@ -1,5 +1,6 @@
 """Help, exit codes, and what is told of what went wrong."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -26,7 +27,7 @@ def test_help_lists_every_command(run: Command) -> None:
 def test_every_command_shows_an_example(run: Command, name: str) -> None:
     result = run(f"{name} --help")
     assert result.code == 0
-    assert f"shapetween {name} " in result.out.split("Example:")[1]
+    assert f"shapetween {name} " in re.split("Examples?:", result.out)[1]
 
 
 def test_no_command_shows_the_help(run: Command) -> None:
