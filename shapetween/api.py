@@ -1,6 +1,6 @@
 """The library's front door: two files in, a movement that can be asked for frames or written."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -133,7 +133,7 @@ def morph(
     quads: int | None = None,
     pins: Iterable[Pin] = (),
     matches: Iterable[tuple[str, str]] = (),
-    mesh: MeshPair | Mapping[str, MeshPair] | None = None,
+    mesh: MeshPair | Iterable[tuple[str, MeshPair]] = (),
     fit: Fit = "view",
     folds: Folds = "prevent",
     observe: Observer = unobserved,
@@ -152,8 +152,8 @@ def morph(
         Points that belong together, each in its own drawing's user units.
     matches : iterable of (str, str)
         Ids of shapes that become each other.
-    mesh : MeshPair, or mapping of shape names to MeshPair, optional
-        Meshes to use instead of found ones.
+    mesh : MeshPair, or iterable of (str, MeshPair), optional
+        Meshes to use instead of found ones, with the names of their shapes.
     fit : {"view", "geometry", "none"}
         How `b` is brought into the frame of `a`: view box into view box, drawn box into drawn
         box, or not at all.
@@ -172,7 +172,7 @@ def morph(
         quads=quads,
         pins=tuple((float(p[0]), float(p[1]), float(p[2]), float(p[3])) for p in pins),
         matches=tuple(matches),
-        meshes={"": mesh} if isinstance(mesh, MeshPair) else dict(mesh or {}),
+        meshes=(("", mesh),) if isinstance(mesh, MeshPair) else tuple(mesh),
         fit=fit,
         folds=folds,
     )

@@ -1,6 +1,6 @@
 """One filled shape becoming another: its pieces and holes matched, meshed and moved."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 
@@ -53,7 +53,7 @@ class FillSettings:
     quads : int or None
     pins : (K, 4) float64
         In the movement's frame.
-    meshes : mapping of str to MeshPair
+    meshes : sequence of (str, MeshPair)
         In the movement's frame, by name of shape.
     observe : Observer
     """
@@ -62,18 +62,20 @@ class FillSettings:
     folds: str
     quads: int | None
     pins: Points
-    meshes: Mapping[str, MeshPair]
+    meshes: Sequence[tuple[str, MeshPair]]
     observe: Observer
     used_pins: set[int] = field(default_factory=set)
-    used_meshes: set[str] = field(default_factory=set)
+    used_meshes: set[int] = field(default_factory=set)
 
     def mesh_for(self, name: str) -> MeshPair | None:
-        """The mesh given for a shape, once."""
-        key = name if name in self.meshes else ""
-        if key not in self.meshes or key in self.used_meshes:
+        """The next mesh given for pieces of a shape, in the order they are written in."""
+        free = [k for k in range(len(self.meshes)) if k not in self.used_meshes]
+        mine = [k for k in free if self.meshes[k][0] == name]
+        mine = mine or [k for k in free if not self.meshes[k][0]]
+        if not mine:
             return None
-        self.used_meshes.add(key)
-        return self.meshes[key]
+        self.used_meshes.add(mine[0])
+        return self.meshes[mine[0]][1]
 
     def pins_for(self, first: Region, second: Region) -> Points:
         """Pins that lie on these two pieces, (K, 4)."""
@@ -94,7 +96,7 @@ class FillSettings:
                     f"pin {k + 1} ({ax:g},{ay:g} to {bx:g},{by:g} in the first drawing's units): "
                     "does not lie on two outlines that become each other"
                 )
-        unused = sorted(set(self.meshes) - self.used_meshes)
+        unused = [name for k, (name, _) in enumerate(self.meshes) if k not in self.used_meshes]
         if unused:
             raise MeshError(f"mesh: there is no filled shape {unused[0]!r} to use it for")
 
@@ -129,7 +131,6 @@ def morph_fill(
         scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
         pairing = pair_things([_thing(r) for r in before], [_thing(r) for r in after], scale)
     warnings = [*said_a, *said_b]
-    mesh = settings.mesh_for(name)
     bodies: list[list[RingMatch]] = []
     strangers: list[tuple[Region, bool, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
@@ -139,11 +140,10 @@ def morph_fill(
             after[j].outer,
             quads=settings.quads,
             pins=settings.pins_for(before[i], after[j]),
-            mesh=mesh,
+            mesh=settings.mesh_for(name),
             upright=not alone or len(pairing.pairs) > 1,
             observe=settings.observe,
         )
-        mesh = None
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
             warnings.append(

@@ -73,12 +73,8 @@ def load_meshes(text: str, name: str) -> list[tuple[str, MeshPair]]:
     items = data["meshes"]
     if not isinstance(items, list) or not items:
         raise MeshError(f"{name}: meshes: expected a list of at least one mesh")
-    meshes = [_mesh(item, name, f"meshes[{k}]") for k, item in enumerate(items)]
-    ids = [mesh_id for mesh_id, _ in meshes]
-    for k, mesh_id in enumerate(ids):
-        if mesh_id in ids[:k]:
-            raise MeshError(f"{name}: meshes[{k}].id: {mesh_id!r} is the id of an earlier mesh")
-    return meshes
+    # Several of one id are the pieces of one shape, in order.
+    return [_mesh(item, name, f"meshes[{k}]") for k, item in enumerate(items)]
 
 
 def _mesh(data: object, name: str, path: str) -> tuple[str, MeshPair]:

@@ -1,7 +1,6 @@
 """From two drawings to the movement between them, one stage after another."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -40,9 +39,9 @@ class Options:
         Points that belong together, each in its own drawing's user units.
     matches : tuple of (str, str)
         Names of shapes that become each other.
-    meshes : mapping of str to MeshPair
-        Meshes to use, by the name of the shape, vertices in each drawing's own user units; the
-        name "" serves the first filled shape.
+    meshes : tuple of (str, MeshPair)
+        Meshes to use, with the name of the shape, vertices in each drawing's own user units; the
+        name "" serves any shape. Several of one name serve its pieces in turn.
     fit : {"view", "geometry", "none"}
         How the second drawing is brought into the first one's frame.
     folds : {"prevent", "allow"}
@@ -53,7 +52,7 @@ class Options:
     quads: int | None = None
     pins: tuple[tuple[float, float, float, float], ...] = ()
     matches: tuple[tuple[str, str], ...] = ()
-    meshes: Mapping[str, MeshPair] = field(default_factory=dict)
+    meshes: tuple[tuple[str, MeshPair], ...] = ()
     fit: Fit = "view"
     folds: Folds = "prevent"
 
@@ -122,7 +121,7 @@ def prepare(
         pairing = pair_shapes(*shapes, scale, _settled(*shapes, chosen.matches))
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)
     pins[:, 2:] = mapped(pins[:, 2:], matrix)
-    meshes = {name: _in_frame(mesh, matrix) for name, mesh in chosen.meshes.items()}
+    meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
     settings = FillSettings(chosen.method, chosen.folds, chosen.quads, pins, meshes, observe)
     warnings = [f"{names[0]}: {w}" for w in source.warnings]
     warnings += [f"{names[1]}: {w}" for w in target.warnings]

@@ -8,6 +8,7 @@ import pytest
 
 import shapetween as st
 from shapetween.errors import InputError, OptionError
+from shapetween.meshfile import load_meshes
 from tests.cli.commands import SQUARE, TRIANGLE, svg
 from tests.drawings import area, drawing, line, square
 
@@ -54,6 +55,18 @@ def test_a_mesh_goes_round(pair: tuple[Path, Path], moved: st.Morph) -> None:
     assert again.report()["rings"][0]["found"] == "given"
     assert len(json.loads(moved.mesh_json())["quads"]) == len(mesh.quads)
     assert "<svg" in moved.mesh_svg()
+
+
+def test_meshes_of_several_pieces_go_round() -> None:
+    """Pieces of one shape share its id; each gets its own mesh back, in order."""
+    inputs = Path(__file__).resolve().parents[1] / "gallery" / "inputs"
+    pair = inputs / "run.svg", inputs / "walk.svg"
+    moved = st.morph(*pair)
+    assert len(moved.meshes) > 1
+    again = st.morph(*pair, mesh=load_meshes(moved.mesh_json(), "mesh.json"))
+    for (_, first), (_, second) in zip(moved.meshes, again.meshes, strict=True):
+        assert len(first.quads) == len(second.quads)
+    assert all(ring["found"] == "given" for ring in again.report()["rings"])
 
 
 def test_drawings_are_taken_as_they_are() -> None:

@@ -97,8 +97,8 @@ def _made(task: Task) -> Made:
 
     given = {key: value for key, value in task.options.items() if key not in WRITING}
     writing = {key: value for key, value in task.options.items() if key in WRITING}
-    meshes = dict(load_meshes(task.mesh, task.names[2])) if task.mesh is not None else {}
-    options = Options(meshes=meshes, **given)
+    meshes = load_meshes(task.mesh, task.names[2]) if task.mesh is not None else []
+    options = Options(meshes=tuple(meshes), **given)
     with timed("read"):
         a, b = (read_svg(*both) for both in zip(task.drawings, task.names[:2], strict=True))
     prepared = prepare(a, b, options, names=task.names[:2], observe=timed)

@@ -126,11 +126,11 @@ class Common:
 
         outputs = [out, *([self.report] if self.report else [])]
         files.check_outputs(outputs, [a, b, *([self.mesh] if self.mesh else [])])
-        meshes = None
+        meshes: list[tuple[str, Any]] = []
         if self.mesh is not None:
             from shapetween.meshfile import load_meshes
 
-            meshes = dict(load_meshes(files.read_text(self.mesh), str(self.mesh)))
+            meshes = load_meshes(files.read_text(self.mesh), str(self.mesh))
         return {
             "method": self.method,
             "folds": self.folds,

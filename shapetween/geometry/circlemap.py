@@ -9,6 +9,9 @@ from shapetween.errors import ShapeError
 
 __all__ = ["CircleMap", "turn", "wrapped"]
 
+#: Knots nearer than this are one: more is lost to rounding in the places themselves.
+SAME = 1e-12
+
 
 def turn(values: Floats) -> Floats:
     """Places on the circle, in [0, 1)."""
@@ -79,6 +82,8 @@ class CircleMap:
         first = self.x[0]
         x = np.union1d(self.x[:-1], first + turn(start - first))
         moved, values = move(x), self(x)
-        keep = np.append(True, (np.diff(moved) > 1e-12) & (np.diff(values) > 1e-12))
+        keep = np.append(True, (np.diff(moved) > SAME) & (np.diff(values) > SAME))
+        # The first knot comes again a turn later; what coincides with that is it.
+        keep[1:] &= (moved[1:] < moved[0] + 1 - SAME) & (values[1:] < values[0] + 1 - SAME)
         moved, values = moved[keep], values[keep]
         return CircleMap(np.append(moved, moved[0] + 1), np.append(values, values[0] + 1))

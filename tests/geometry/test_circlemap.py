@@ -79,3 +79,10 @@ def test_bent_by_nothing_is_the_same() -> None:
 def test_knots_that_are_no_map_are_refused(x: list[float], y: list[float]) -> None:
     with pytest.raises(ShapeError):
         CircleMap(np.array(x), np.array(y))
+
+
+def test_a_knot_that_is_the_first_one_a_turn_later_is_the_first_one() -> None:
+    """Places read from a file miss a knot by the last digit; the turn still closes."""
+    circle = CircleMap(np.array([0.1, 0.6, 1.1]), np.array([0.2, 0.7, 1.2]))
+    near = circle.bent(np.array([0.1 - 1e-14, 0.5]), np.array([0.1, 0.55]))
+    assert near(np.array([0.1]))[0] == pytest.approx(0.2, abs=1e-9)
