@@ -74,8 +74,11 @@ class Passenger:
             shapely.Polygon(flatten(outer.curves, CHORDS)), method="structure", keep_collapsed=False
         )
         extent = float(np.ptp(outer.box, axis=0).max())
-        circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
-        centre = np.array(circle.coords[0])
+        # A ring so thin that nothing of it is left closes to the middle of its box.
+        centre = np.asarray(outer.box.mean(axis=0))
+        if not polygon.is_empty:
+            circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
+            centre = np.array(circle.coords[0])
         mesh = getattr(on.path, "mesh", None) if on is not None else None
         ride = None
         if on is not None and isinstance(mesh, PlaneMesh):

@@ -40,6 +40,13 @@ def test_the_point_lies_well_inside_a_crescent() -> None:
     assert np.linalg.norm(centre - [4, 0]) > 8.5
 
 
+def test_a_ring_of_which_nothing_is_left_closes_to_its_middle() -> None:
+    """Slivers of holes are left over where crossing outlines are resolved."""
+    sliver = ring(np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 4.0], [10.0, 0.0]]))
+    np.testing.assert_allclose(Passenger.of(sliver, (), True, None).centre, [5, 2], atol=5.1)
+    assert np.isfinite(Passenger.of(sliver, (), True, None).curves(T)).all()
+
+
 def test_holes_go_with_their_ring_and_run_against_it() -> None:
     outer, hole = square(0, 0, 10), square(2, 2, 3)
     found = Passenger.of(outer, (hole,), True, None)
