@@ -47,7 +47,12 @@ class FilledPart:
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        return np.concatenate([rider.curves(t) for rider in self._riders], axis=1)
+        # Solving a plane's motion costs most: once for its body and all that ride on it.
+        solved = {id(body): body.path.vertices(t) for body in self.bodies}
+        drawn = [body.nodes.curves(solved[id(body)], t) for body in self.bodies]
+        drawn += [rider.curves(t, solved.get(id(rider.on))) for rider in self.passengers]
+        drawn += [speck.curves(t) for speck in self.specks]
+        return np.concatenate(drawn, axis=1)
 
     def style(self, t: float) -> Style:
         """Paint at one time."""

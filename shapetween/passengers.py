@@ -85,16 +85,31 @@ class Passenger:
             ride = _Ride.of(on, mesh, np.concatenate([curves.reshape(-1, 2), [centre]]), arrives)
         return cls(curves, tuple(len(r.curves) for r in rings), arrives, centre, ride)
 
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, P, 4, 2)."""
+    @property
+    def on(self) -> Carried | None:
+        """The body it rides on."""
+        return None if self.ride is None else self.ride.on
+
+    def curves(self, t: Floats, vertices: Points | None = None) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2).
+
+        Parameters
+        ----------
+        t : (F,) float64
+        vertices : (F, V, 2) float64, optional
+            Where the plane that it rides on is at these times, if that is known already.
+        """
         points = np.concatenate([self.curves_at_home.reshape(-1, 2), self.centre[None]])
-        moved = np.repeat(points[None], len(t), axis=0) if self.ride is None else self.ride.at(t)
+        if self.ride is None:
+            moved = np.repeat(points[None], len(t), axis=0)
+        else:
+            moved = self.ride.at(self.ride.on.path.vertices(t) if vertices is None else vertices)
         centre = moved[:, -1:]
         size = t if self.arrives else 1 - t
         shrunk = centre + size[:, None, None] * (moved[:, :-1] - centre)
         result = shrunk.reshape(len(t), *self.curves_at_home.shape)
         result[size == 1] = self.curves_at_home
-        return result
+        return np.asarray(result)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,6 +140,5 @@ class _Ride:
             return None
         return cls(on, mesh.triangles[chosen], weights[np.arange(len(points)), chosen])
 
-    def at(self, t: Floats) -> Points:
-        vertices = self.on.path.vertices(t)
+    def at(self, vertices: Points) -> Points:
         return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))

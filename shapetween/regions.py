@@ -28,6 +28,10 @@ CHORDS, FINE_CHORDS = 12, 48
 #: Points of a ring past which its curves have fewer chords.
 MOST_POINTS = 20_000
 
+#: Distance, as a share of the whole, by which the sides of an outline found anew may leave out its
+#: corners: below the printed digits, and a curve's chords are many times fewer.
+STRAIGHT = 3e-5
+
 #: Curves of a shape past which its rings are overlaid as areas instead of cut by each other.
 MOST_CUT = 4000
 
@@ -234,6 +238,8 @@ def _overlaid(rings: list[Outline], rule: FillRule) -> list[Region]:
 def _of_area(area: "shapely.Geometry", total: float) -> list[Region]:
     import shapely
 
+    left, top, right, bottom = shapely.bounds(area).tolist()
+    area = shapely.simplify(area, STRAIGHT * max(right - left, bottom - top))
     return [
         Region(_of_polygon(p.exterior.coords), tuple(_of_polygon(h.coords) for h in p.interiors))
         for p in shapely.get_parts(shapely.get_parts(area))
