@@ -10,12 +10,10 @@ import numpy as np
 from shapetween.arrays import Affine, Points
 from shapetween.drawing import Box, Drawing
 
-__all__ = ["FITS", "Fit", "fit_matrix", "inverted", "mapped"]
+__all__ = ["Fit", "fit_matrix", "inverted", "mapped"]
 
 Fit: TypeAlias = Literal["view", "geometry", "none"]
 """What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
-
-FITS: tuple[Fit, ...] = ("view", "geometry", "none")
 
 
 def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
