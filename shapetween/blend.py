@@ -17,6 +17,7 @@ import numpy as np
 from shapetween.arrays import Floats
 from shapetween.gradients import common_offsets, in_normal_form, on_offsets, solid_gradient
 from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
+from shapetween.srgb import linear_to_srgb, srgb_to_linear
 
 __all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab"]
 
@@ -115,15 +116,13 @@ def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
 @lru_cache(maxsize=4096)
 def _to_lab(colour: Colour) -> Floats:
     srgb = np.array([colour.red, colour.green, colour.blue])
-    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-    return np.asarray(LAB @ np.cbrt(CONES @ linear))
+    return np.asarray(LAB @ np.cbrt(CONES @ srgb_to_linear(srgb)))
 
 
 def from_oklab(lab: Floats, alpha: float = 1.0) -> Colour:
     """The sRGB colour nearest to a point (3,) of OKLab, component by component."""
     linear = np.clip(CONES_BACK @ (LAB_BACK @ lab) ** 3, 0.0, 1.0)
-    srgb = np.where(linear <= 0.0031308, linear * 12.92, 1.055 * linear ** (1 / 2.4) - 0.055)
-    red, green, blue = np.clip(srgb, 0.0, 1.0).tolist()
+    red, green, blue = np.clip(linear_to_srgb(linear), 0.0, 1.0).tolist()
     return Colour(red, green, blue, alpha)
 
 

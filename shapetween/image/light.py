@@ -2,8 +2,6 @@
 
 Mixing, averaging and covering are sums of light, so they are right only on linear values with the
 alpha multiplied in; done on sRGB's values they leave dark seams and fringes.
-
-.. [sRGB] IEC 61966-2-1:1999.
 """
 
 from functools import cache
@@ -12,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from shapetween.arrays import Floats
+from shapetween.srgb import linear_to_srgb, srgb_to_linear
 
 __all__ = [
     "FULL",
@@ -21,7 +19,6 @@ __all__ = [
     "Shares",
     "decode",
     "encode",
-    "srgb_to_linear",
 ]
 
 Bytes: TypeAlias = NDArray[np.uint8]
@@ -36,16 +33,6 @@ FULL = 65535
 
 #: Rows that are turned at a time, so that what is needed in between stays small.
 BAND = 64
-
-
-def srgb_to_linear(values: Floats) -> Floats:
-    """Linear light of sRGB's values, both from 0 to 1 ([sRGB]_)."""
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
-
-
-def linear_to_srgb(light: Floats) -> Floats:
-    """The inverse of `srgb_to_linear`."""
-    return np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
 
 
 @cache

@@ -15,7 +15,6 @@ from shapetween.drawing import Drawing
 from shapetween.errors import MeshError, OptionError, OutlineError, ShapetweenError
 from shapetween.fit import inverted, mapped
 from shapetween.image.layers import Piece
-from shapetween.image.light import srgb_to_linear
 from shapetween.image.picture import Picture
 from shapetween.image.quads import PictureQuad, load_quads, meshes_of_quads, quads_of_drawings
 from shapetween.jsonfile import parse
@@ -23,6 +22,7 @@ from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.paint import Colour, Style
 from shapetween.plane.motion import PlaneMotion
+from shapetween.srgb import srgb_to_linear
 
 __all__ = [
     "Moving",

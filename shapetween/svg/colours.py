@@ -3,7 +3,6 @@
 .. [Col4] *CSS Color Module Level 4*.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -12,8 +11,8 @@ import numpy as np
 import tinycss2
 import tinycss2.color4
 
-from shapetween.arrays import Floats
 from shapetween.paint import Colour
+from shapetween.srgb import linear_to_srgb, srgb_to_linear
 
 __all__ = ["CURRENT", "PaintValue", "parse_paint"]
 
@@ -130,28 +129,12 @@ def _colour(token: Any) -> Colour | str | None:
 def _srgb(colour: Any) -> Colour:
     """A colour of any space in sRGB, cut off where it is beyond it."""
     if colour.space == "display-p3":
-        components = _encoded(_TO_LINEAR_SRGB["display-p3"] @ _decoded(colour.coordinates))
+        given = np.array([value or 0.0 for value in colour.coordinates])  # missing ones are 0
+        components = linear_to_srgb(_TO_LINEAR_SRGB["display-p3"] @ srgb_to_linear(given))
     elif colour.space in _BY_WAY_OF:
         space = _BY_WAY_OF[colour.space]
-        components = _encoded(_TO_LINEAR_SRGB[space] @ np.array(colour.to(space).coordinates))
+        components = linear_to_srgb(_TO_LINEAR_SRGB[space] @ np.array(colour.to(space).coordinates))
     else:
         components = colour.to("srgb").coordinates
     red, green, blue = (min(1.0, max(0.0, float(component))) for component in components)
     return Colour(red, green, blue, colour.alpha)
-
-
-def _encoded(linear: Floats) -> Floats:
-    """Linear light to sRGB's values, negative ones mirrored."""
-    size = np.abs(linear)
-    return np.asarray(
-        np.sign(linear)
-        * np.where(size > 0.0031308, 1.055 * size ** (1 / 2.4) - 0.055, 12.92 * size)
-    )
-
-
-def _decoded(coordinates: Sequence[float | None]) -> Floats:
-    """The inverse of `_encoded`; a missing component is 0."""
-    values = np.array([value or 0.0 for value in coordinates])
-    size = np.abs(values)
-    linear = np.where(size > 0.04045, ((size + 0.055) / 1.055) ** 2.4, size / 12.92)
-    return np.asarray(np.sign(values) * linear)

@@ -2,7 +2,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.image.light import FULL, decode, encode, srgb_to_linear
+from shapetween.image.light import FULL, decode, encode
+from shapetween.srgb import srgb_to_linear
 
 
 def test_every_opaque_value_comes_back() -> None:
