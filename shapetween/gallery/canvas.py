@@ -12,6 +12,7 @@ from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.svg.animate import Clock, animate
 from shapetween.svg.elements import document, text_of
 from shapetween.svg.numbers import number
+from shapetween.svg.timeline import Timeline
 
 __all__ = ["FAINT", "INK", "Canvas", "Panel", "checkerboard"]
 
@@ -73,7 +74,7 @@ class Canvas:
         self._root.set("font-family", "system-ui,'Segoe UI','DejaVu Sans',sans-serif")
         ET.SubElement(self._root, "rect", {"width": "100%", "height": "100%", "fill": PAPER})
         schedule = Schedule.of("ease-in-out", SAMPLES)
-        self._clock = Clock(schedule, True, seconds, "alternate")
+        self._clock = Clock(schedule, True, Timeline(seconds, "alternate"))
 
     @property
     def times(self) -> Floats:

@@ -8,19 +8,24 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal, TypeAlias
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index
 from shapetween.frames import LINEAR, Schedule, keyframes
 from shapetween.svg.numbers import number
+from shapetween.svg.timeline import Passage, Timeline
 
-__all__ = ["Clock", "Loop", "animate", "animate_choice", "animate_number", "animate_transform"]
+__all__ = [
+    "Clock",
+    "animate",
+    "animate_choice",
+    "animate_number",
+    "animate_shown",
+    "animate_transform",
+]
 
-Loop: TypeAlias = Literal["once", "repeat", "alternate"]
-
-#: Decimals of a keyframe's time, a share of the whole: finer than a frame of any screen.
+#: Decimals of a keyframe's time, a share of one way: finer than a frame of any screen.
 TIME_DECIMALS = 5
 
 #: Decimals of an easing's handles, shares of the time between two keyframes.
@@ -29,7 +34,7 @@ SPLINE_DECIMALS = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Clock:
-    """When an animation's samples are shown.
+    """When the samples of a movement are shown.
 
     Attributes
     ----------
@@ -37,16 +42,16 @@ class Clock:
         For one way, from the start to the end.
     adaptive : bool
         Whether keyframes are chosen among the samples; else every sample is one.
-    duration : float
-        Seconds one way takes.
-    loop : {"once", "repeat", "alternate"}
-        Stay at the end, start over, or go back and start over.
+    timeline : Timeline
+        The plan of the whole.
+    leg : int
+        Which of its movements this is.
     """
 
     schedule: Schedule
     adaptive: bool
-    duration: float
-    loop: Loop
+    timeline: Timeline
+    leg: int = 0
 
     def pick(self, samples: Floats, tolerance: float) -> Index:
         """Which of the samples (S, K, D) become keyframes."""
@@ -62,32 +67,59 @@ class Clock:
 
     def straight(self, picks: Index, values: Sequence[str]) -> dict[str, str]:
         """Attributes that show each value at its sample, way back included, and blend between."""
-        times, splines = self.schedule.clock[picks], self.schedule.parts(picks)
-        if self.loop == "alternate":
-            times = np.concatenate([times / 2, 1 - times[-2::-1] / 2])
+        clock, easing = self.schedule.clock[picks], self.schedule.parts(picks)
+        times, shown, splines = [0.0], [values[0]], [np.zeros((0, 4))]
+
+        def rest(until: float) -> None:
+            if until > times[-1]:
+                times.append(until)
+                shown.append(shown[-1])
+                splines.append(np.array([LINEAR]))
+
+        for passage in self._passages:
+            rest(passage.start)
+            times += passage.at(clock)[1:].tolist()
+            shown += values[-2::-1] if passage.back else values[1:]
             # Backwards a curve starts at its end, and both axes run the other way.
-            splines = np.concatenate([splines, 1 - splines[::-1, [2, 3, 0, 1]]])
-            values = [*values, *values[-2::-1]]
-        timing = self._timing(times, values)
+            splines.append(1 - easing[::-1, [2, 3, 0, 1]] if passage.back else easing)
+        rest(1.0)
+        timing = self._timing(times, shown)
         if self.schedule.handles == LINEAR:
             return {"calcMode": "linear", **timing}
-        texts = [" ".join(number(v, SPLINE_DECIMALS) for v in row) for row in splines.tolist()]
+        rows = np.concatenate(splines).tolist()
+        texts = [" ".join(number(v, SPLINE_DECIMALS) for v in row) for row in rows]
         return {"calcMode": "spline", "keySplines": ";".join(texts), **timing}
 
     def jumping(self, jumps: Floats, values: Sequence[str]) -> dict[str, str]:
         """Attributes that show the first value, and from each of some times on the next."""
-        times = np.concatenate([[0.0], jumps])
-        if self.loop == "alternate":
-            times = np.concatenate([times / 2, 1 - jumps[::-1] / 2])
-            values = [*values, *values[-2::-1]]
-        return {"calcMode": "discrete", **self._timing(times, values)}
+        times, shown = [0.0], [values[0]]
+        for passage in self._passages:
+            times += passage.at(jumps).tolist()
+            shown += values[-2::-1] if passage.back else values[1:]
+        return {"calcMode": "discrete", **self._timing(times, shown)}
 
-    def _timing(self, times: Floats, values: Sequence[str]) -> dict[str, str]:
-        ways = 2 if self.loop == "alternate" else 1
+    def showing(self, on: str, off: str) -> dict[str, str]:
+        """Attributes that have one value while the leg is to be seen, and else another."""
+        edges = [edge for p in self._passages for edge in (p.shown, p.until)]
+        # Where one passage follows on another, and at both ends of the whole, nothing changes.
+        times = [edge for edge in edges if edges.count(edge) == 1 and 0 < edge < 1]
+        values = (off, on) if edges[0] > 0 else (on, off)
+        shown = [values[k % 2] for k in range(len(times) + 1)]
+        return {"calcMode": "discrete", **self._timing([0.0, *times], shown)}
+
+    @property
+    def _passages(self) -> tuple[Passage, ...]:
+        return self.timeline.passages(self.leg)
+
+    def _timing(self, times: Sequence[float], values: Sequence[str]) -> dict[str, str]:
+        whole = self.timeline.seconds
+        # As fine, in seconds, as if there were one way alone.
+        decimals = TIME_DECIMALS + len(str(int(whole / self.timeline.duration))) - 1
+        once = self.timeline.loop == "once"
         return {
-            "dur": f"{number(self.duration * ways, 3)}s",
-            **({"fill": "freeze"} if self.loop == "once" else {"repeatCount": "indefinite"}),
-            "keyTimes": ";".join(number(time, TIME_DECIMALS) for time in times.tolist()),
+            "dur": f"{number(whole, 3)}s",
+            **({"fill": "freeze"} if once else {"repeatCount": "indefinite"}),
+            "keyTimes": ";".join(number(time, decimals) for time in times),
             "values": ";".join(values),
         }
 
@@ -160,3 +192,9 @@ def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Seq
         return
     timing = clock.jumping(clock.schedule.clock[changes], [track[k] for k in [0, *changes]])
     ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
+
+
+def animate_shown(element: ET.Element, clock: Clock) -> None:
+    """Show an element while the leg of the clock is to be seen, and no longer."""
+    timing = clock.showing("inline", "none")
+    ET.SubElement(element, "animate", {"attributeName": "display", **timing})

@@ -16,10 +16,11 @@ from shapetween.drawing import Shape
 from shapetween.errors import OptionError
 from shapetween.frames import KEYFRAME_TOLERANCE, Schedule
 from shapetween.movement import Movement, Part
-from shapetween.svg.animate import Clock, Loop, animate
+from shapetween.svg.animate import Clock, animate, animate_shown
 from shapetween.svg.animate_style import animate_style
 from shapetween.svg.elements import GradientDefs, add_shape, document, named, text_of
 from shapetween.svg.numbers import decimals_for, path_data
+from shapetween.svg.timeline import Loop, Timeline
 from shapetween.tracks import style_tracks
 
 __all__ = ["add_part", "smil_svg"]
@@ -41,26 +42,33 @@ INSIDE = (1e-6, 1 - 1e-6)
 
 
 def smil_svg(
-    movement: Movement,
-    *,
+    *legs: Movement,
     duration: float = 2.0,
     easing: str = "linear",
     loop: Loop = "once",
+    hold: float = 0.0,
+    closed: bool = False,
     keyframes: Literal["auto"] | int = "auto",
     precision: int | None = None,
 ) -> str:
-    """Write a movement as an animated SVG.
+    """Write a movement as an animated SVG, or several that follow each other.
 
     Parameters
     ----------
-    movement : Movement
+    *legs : Movement
+        Each starts with the drawing that the one before ends with. All are shown in the box, and
+        under the title, of the first.
     duration : float
-        Seconds from the first drawing to the last.
+        Seconds of each of them.
     easing : str
-        See `shapetween.frames.easing_function`. The default shows at every moment what the frame
-        of that time shows.
+        That of each; see `shapetween.frames.easing_function`. The default shows at every moment
+        what the frame of that time shows.
     loop : {"once", "repeat", "alternate"}
-        Stay at the end, start over, or go back and start over.
+        Stay at the end, start over, or go back through all of them and start over.
+    hold : float
+        Seconds that each drawing stands still.
+    closed : bool
+        Whether the last drawing is the first, and starting over needs no rest at both.
     keyframes : "auto" or int
         By default as few as keep every point within a quarter of a pixel where the view box is
         1000 px large; or a number of them, even along the easing.
@@ -72,37 +80,60 @@ def smil_svg(
     OptionError
         If an option cannot be used; the message says what could.
     """
-    clock = _clock(duration, easing, loop, keyframes)
-    size = max(movement.box.width, movement.box.height)
-    gradients = GradientDefs(decimals_for(movement.box, precision))
+    clock = _clock(_timeline(duration, loop, hold, len(legs), closed=closed), easing, keyframes)
+    first = legs[0]
+    tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
+    gradients = GradientDefs(decimals_for(first.box, precision))
 
-    root = document(movement.box, movement.title)
+    root = document(first.box, first.title)
     ET.SubElement(root, "style").text = REDUCED_MOTION
     root.append(gradients.element)
     moving = ET.SubElement(root, "g", {"class": "shapetween-moving"})
     still = ET.SubElement(root, "g", {"class": "shapetween-still", "display": "none"})
-    ids = named([part.name for part in movement.parts])
-    for part, shape, name in zip(
-        movement.parts, movement.at(np.zeros(1))[0].shapes, ids, strict=True
-    ):
-        add_part(moving, part, clock, gradients, name, size * KEYFRAME_TOLERANCE)
-        add_shape(still, Shape(shape.rings, shape.style), gradients, {})
+    ids = iter(named([part.name for leg in legs for part in leg.parts]))
+    at_rest = iter(first.at(np.zeros(1))[0].shapes)
+    for k, leg in enumerate(legs):
+        own = replace(clock, leg=k)
+        group = moving if len(legs) == 1 else _add_leg(moving, own)
+        for part in leg.parts:
+            add_part(group, part, own, gradients, next(ids), tolerance)
+            if k == 0:
+                shape = next(at_rest)
+                add_shape(still, Shape(shape.rings, shape.style), gradients, {})
     if not len(gradients.element):
         root.remove(gradients.element)
     return text_of(root)
 
 
-def _clock(duration: float, easing: str, loop: Loop, keyframes: Literal["auto"] | int) -> Clock:
-    """The clock the options ask for."""
+def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
+    """A group for the paths of one leg, which is shown in its turn.
+
+    Each leg has paths of its own, for the number of its curves is its own. Without SMIL the first
+    one is shown.
+    """
+    group = ET.SubElement(parent, "g", {"display": "none"} if clock.leg > 0 else {})
+    animate_shown(group, clock)
+    return group
+
+
+def _timeline(duration: float, loop: Loop, hold: float, legs: int, *, closed: bool) -> Timeline:
+    """The plan the options ask for."""
     if not (math.isfinite(duration) and duration >= 1e-3):
         raise OptionError(f"duration {duration}: expected seconds, at least 0.001")
+    if not (math.isfinite(hold) and hold >= 0):
+        raise OptionError(f"hold {hold}: expected seconds, 0 or more")
     if loop not in get_args(Loop):
         raise OptionError(f"loop {loop!r}: expected {', '.join(get_args(Loop))}")
+    return Timeline(duration, loop, hold, legs, closed)
+
+
+def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
+    """The clock the options ask for, of the first leg."""
     if keyframes == "auto":
-        return Clock(Schedule.of(easing), True, duration, loop)
+        return Clock(Schedule.of(easing), True, timeline)
     if keyframes < 2:
         raise OptionError(f"{keyframes} keyframes: expected 'auto' or at least 2")
-    return Clock(Schedule.of(easing, keyframes), False, duration, loop)
+    return Clock(Schedule.of(easing, keyframes), False, timeline)
 
 
 def add_part(

@@ -9,9 +9,9 @@ import pytest
 from shapetween.drawing import Box
 from shapetween.movement import Movement
 from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
-from shapetween.svg.animate import Loop
 from shapetween.svg.sequence import frame_svg
 from shapetween.svg.smil import smil_svg
+from shapetween.svg.timeline import Loop
 from tests.browser import Browser, chromium, difference
 from tests.movements import FormulaPart, circle, sample_movement, spin
 

@@ -15,9 +15,9 @@ from shapetween.errors import OptionError
 from shapetween.frames import easing_function
 from shapetween.movement import Movement
 from shapetween.paint import Colour, Gradient, Stop, Style
-from shapetween.svg.animate import Loop
 from shapetween.svg.sequence import frame_svg
 from shapetween.svg.smil import smil_svg
+from shapetween.svg.timeline import Loop
 from tests.movements import FormulaPart, circle, rest, sample_movement, spin
 
 SVG = "{http://www.w3.org/2000/svg}"
