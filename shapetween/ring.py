@@ -67,8 +67,8 @@ def match_outer(
         return _given_mesh(source, target, mesh, observe)
     with observe("match"):
         matching = correspond(source, target, pins if len(pins) else None)
-        if upright and matching.affine is None and matching.turn != 0:
-            matching = next((m for m in matching.candidates() if m.turn == 0), matching)
+        if upright:
+            matching = _upright(matching)
     return _meshed(source, target, matching, quads, pins, observe)
 
 
@@ -92,7 +92,7 @@ def match_hole(source: Outline, target: Outline, turned: float, observe: Observe
     """
     with observe("match"):
         turn = np.column_stack([rotations(np.asarray(turned)), np.zeros(2)])
-        matching = correspond(source.transformed(turn), target)
+        matching = _upright(correspond(source.transformed(turn), target))
         places = ArcLength(source), ArcLength(target)
         outlines = MatchedOutlines(
             *places, matching.u, matching.v, exact=matching.affine is not None
@@ -102,6 +102,13 @@ def match_hole(source: Outline, target: Outline, turned: float, observe: Observe
     apart = np.linalg.norm(samples.source - samples.source[0], axis=1)
     kept = np.unique([0, int(apart.argmax())])
     return RingMatch(source, target, True, matching, outlines, samples, kept, None, "hole")
+
+
+def _upright(matching: Correspondence) -> Correspondence:
+    """The best matching that does not turn the ring, unless the two are the same but for place."""
+    if matching.affine is not None or matching.turn == 0:
+        return matching
+    return next((m for m in matching.candidates() if m.turn == 0), matching)
 
 
 def _meshed(
