@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from shapetween.api import Morph, morph
+    from shapetween.chains import Chain, chain
     from shapetween.drawing import Drawing
     from shapetween.errors import ShapetweenError
     from shapetween.interpolate import tween
@@ -18,10 +19,12 @@ if TYPE_CHECKING:
     from shapetween.mesh import MeshPair
 
 __all__ = [
+    "Chain",
     "Drawing",
     "MeshPair",
     "Morph",
     "ShapetweenError",
+    "chain",
     "interpolate_quads",
     "morph",
     "tween",
@@ -29,10 +32,12 @@ __all__ = [
 
 #: Where each public name lives; nothing is imported before it is asked for.
 _HOMES = {
+    "Chain": "shapetween.chains",
     "Drawing": "shapetween.drawing",
     "MeshPair": "shapetween.mesh",
     "Morph": "shapetween.api",
     "ShapetweenError": "shapetween.errors",
+    "chain": "shapetween.chains",
     "interpolate_quads": "shapetween.interpolate.quads",
     "morph": "shapetween.api",
     "tween": "shapetween.interpolate",

@@ -12,16 +12,18 @@ from shapetween import files, report
 from shapetween.drawing import Drawing
 from shapetween.errors import OptionError
 from shapetween.fit import Fit, inverted, mapped
-from shapetween.frames import even_times
+from shapetween.frames import easing_function, even_times
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.svg.diagram import MeshView
 from shapetween.svg.read import read_svg
 
-__all__ = ["Morph", "morph"]
+__all__ = ["Morph", "Source", "morph", "name_of", "opened"]
 
 Source: TypeAlias = str | PathLike[str] | Drawing
+"""An SVG file, or a drawing already read."""
+
 Pin: TypeAlias = tuple[float, float, float, float]
 
 
@@ -50,9 +52,10 @@ class Morph:
             raise OptionError(f"t: {t} is not from 0 to 1")
         return self.prepared.movement.at(np.array([float(t)]))[0]
 
-    def frames(self, count: int) -> list[Drawing]:
-        """Drawings at `count` even times, the first and last of them the two ends."""
-        return list(self.prepared.movement.at(even_times(count)))
+    def frames(self, count: int, easing: str = "linear") -> list[Drawing]:
+        """Drawings at `count` times, even along the easing, the ends the first and the last."""
+        times = easing_function(easing)(even_times(count))
+        return list(self.prepared.movement.at(times))
 
     def svg(
         self,
@@ -60,10 +63,11 @@ class Morph:
         duration: float = 2.0,
         easing: str = "linear",
         loop: Literal["once", "repeat", "alternate"] = "once",
+        hold: float = 0.0,
         keyframes: int | Literal["auto"] = "auto",
         precision: int | None = None,
     ) -> str:
-        """The movement as the text of one animated SVG."""
+        """The movement as the text of one animated SVG; both drawings stand still for `hold`."""
         from shapetween.svg.smil import smil_svg
 
         return smil_svg(
@@ -71,6 +75,7 @@ class Morph:
             duration=duration,
             easing=easing,
             loop=loop,
+            hold=hold,
             keyframes=keyframes,
             precision=precision,
         )
@@ -177,16 +182,18 @@ def morph(
         folds=folds,
     )
     with observe("read"):
-        drawings = [item if isinstance(item, Drawing) else _read(item) for item in (a, b)]
-    names = [
-        default if isinstance(item, Drawing) else str(item)
-        for item, default in ((a, "first drawing"), (b, "second drawing"))
-    ]
-    prepared = prepare(
-        drawings[0], drawings[1], options, names=(names[0], names[1]), observe=observe
-    )
-    return Morph(prepared, method)
+        drawings = opened(a), opened(b)
+    names = name_of(a, "first drawing"), name_of(b, "second drawing")
+    return Morph(prepare(*drawings, options, names=names, observe=observe), method)
 
 
-def _read(path: str | PathLike[str]) -> Drawing:
-    return read_svg(files.read_bytes(Path(path)), str(path))
+def opened(source: Source) -> Drawing:
+    """The drawing, read from its file if need be."""
+    if isinstance(source, Drawing):
+        return source
+    return read_svg(files.read_bytes(Path(source)), str(source))
+
+
+def name_of(source: Source, default: str) -> str:
+    """What messages call a drawing: its file, or some other name."""
+    return default if isinstance(source, Drawing) else str(source)

@@ -1,5 +1,7 @@
 """What a movement is known to be worth, as plain values for JSON."""
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,7 +13,7 @@ from shapetween.mesh import MeshPair
 from shapetween.pipeline import Prepared
 from shapetween.version import installed_version
 
-__all__ = ["build", "mesh_figures"]
+__all__ = ["build", "build_chain", "mesh_figures"]
 
 
 def build(prepared: Prepared, method: str) -> dict[str, Any]:
@@ -32,6 +34,31 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
             for ring in body.nodes.rings
         ],
         "warnings": list(prepared.warnings),
+    }
+
+
+def build_chain(
+    legs: Sequence[dict[str, Any]], names: Sequence[str], warnings: Sequence[str]
+) -> dict[str, Any]:
+    """Everything known of movements that follow each other.
+
+    Parameters
+    ----------
+    legs : sequence of dict
+        What `build` says of each.
+    names : sequence of str
+        What the drawings are called, one more than legs.
+    warnings : sequence of str
+        Of all legs.
+    """
+    return {
+        "version": legs[0]["version"],
+        "method": legs[0]["method"],
+        "legs": [
+            {"from": start, "to": end, "rings": leg["rings"]}
+            for leg, (start, end) in zip(legs, pairwise(names), strict=True)
+        ],
+        "warnings": list(warnings),
     }
 
 
