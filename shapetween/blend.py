@@ -2,7 +2,8 @@
 
 Colours meet in OKLab, where halfway looks halfway, with alpha premultiplied, so that a colour
 that cannot be seen does not tint the other. Nothing at all (`None`) stands for the other paint,
-fully transparent.
+fully transparent. Gradients are mixed as they would look if the shape had stayed in its first
+place, and then moved along with it.
 
 .. [Ott20] B. Ottosson, *A perceptual color space for image processing*, 2020.
 """
@@ -15,9 +16,18 @@ from typing import TypeVar
 import numpy as np
 
 from shapetween.arrays import Floats
-from shapetween.gradients import common_offsets, in_normal_form, on_offsets, solid_gradient
+from shapetween.geometry.polygon import cross
+from shapetween.geometry.rotation import rotations
+from shapetween.gradients import (
+    common_offsets,
+    in_normal_form,
+    moved_style,
+    on_offsets,
+    solid_gradient,
+)
 from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 from shapetween.srgb import linear_to_srgb, srgb_to_linear
+from shapetween.whole import WholeMotion
 
 __all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab"]
 
@@ -38,10 +48,18 @@ LAB = np.array(
 )
 CONES_BACK, LAB_BACK = np.linalg.inv(CONES), np.linalg.inv(LAB)
 
+#: What a radian costs by which a gradient turns as drawn, where one by which it turns within its
+#: shape costs 1. Without it, light that comes from above on a shape and on the same shape upside
+#: down would as well make a whole turn; from 1 on gradients no longer spin with shapes that do.
+SPIN_COST = 0.5
+
+#: Angle next to a half turn backwards that counts as one forwards.
+HALF_TURN_TIE = 1e-9
+
 ValueT = TypeVar("ValueT")
 
 
-def blend(a: Style, b: Style, t: float) -> Style:
+def blend(a: Style, b: Style, t: float, motion: WholeMotion | None = None) -> Style:
     """The style at time `t` on the way from one style to another.
 
     Parameters
@@ -49,25 +67,44 @@ def blend(a: Style, b: Style, t: float) -> Style:
     a, b : Style
     t : float
         From 0 to 1; exactly `a` at 0 and `b` at 1.
+    motion : WholeMotion, optional
+        How the painted shape moves, which gradients follow; without it they stay.
 
     Notes
     -----
     What has nothing between its values (fill rule, caps, joins) changes at 1/2.
     """
-    if t <= 0 or a == b:
+    if t <= 0:
         return a
     if t >= 1:
         return b
+    if motion is None:
+        return _between(a, b, t, 0.0)
+    # Where the shape was first both gradients stand still; the mixture of them is then moved.
+    at_home = _between(a, moved_style(b, motion.back), t, motion.turn)
+    return moved_style(at_home, motion.at(t))
+
+
+def _between(a: Style, b: Style, t: float, turn: float) -> Style:
+    if a == b:
+        return a
     return Style(
-        fill=blend_paints(a.fill, b.fill, t),
-        stroke=_blend_strokes(a.stroke, b.stroke, t),
+        fill=blend_paints(a.fill, b.fill, t, turn),
+        stroke=_blend_strokes(a.stroke, b.stroke, t, turn),
         opacity=_mix(a.opacity, b.opacity, t),
         fill_rule=_either(a.fill_rule, b.fill_rule, t),
     )
 
 
-def blend_paints(a: Paint, b: Paint, t: float) -> Paint:
+def blend_paints(a: Paint, b: Paint, t: float, turn: float = 0.0) -> Paint:
     """The paint at time `t`, which is not before 0 nor after 1.
+
+    Parameters
+    ----------
+    a, b : Paint
+    t : float
+    turn : float
+        By how much what they paint turns meanwhile, in radians; they are seen from it.
 
     Notes
     -----
@@ -88,11 +125,11 @@ def blend_paints(a: Paint, b: Paint, t: float) -> Paint:
     if isinstance(a, Colour):
         if isinstance(b, Colour):
             return blend_colours(a, b, t)
-        return _blend_gradients(solid_gradient(a, b), b, t)
+        return _blend_gradients(solid_gradient(a, b), b, t, turn)
     if isinstance(b, Colour):
-        return _blend_gradients(a, solid_gradient(b, a), t)
+        return _blend_gradients(a, solid_gradient(b, a), t, turn)
     if a.kind == b.kind and a.spread == b.spread:
-        return _blend_gradients(a, b, t)
+        return _blend_gradients(a, b, t, turn)
     meeting = blend_colours(_mean_colour(a), _mean_colour(b), 0.5)
     return blend_paints(a, meeting, 2 * t) if t < 0.5 else blend_paints(meeting, b, 2 * t - 1)
 
@@ -136,13 +173,17 @@ def faded(paint: Colour | Gradient, share: float) -> Colour | Gradient:
     return replace(paint, stops=tuple(stops))
 
 
-def _blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient:
+def _blend_gradients(a: Gradient, b: Gradient, t: float, turn: float) -> Gradient:
     """Between gradients of one kind and spread."""
     offsets = common_offsets(a, b)
     first, second = (on_offsets(in_normal_form(gradient), offsets) for gradient in (a, b))
+    if first.kind == "linear":
+        points = _mix_lines(first.points, second.points, t, turn)
+    else:
+        points = _mix_all(first.points, second.points, t)
     return Gradient(
         first.kind,
-        _mix_all(first.points, second.points, t),
+        points,
         _mix_all(first.matrix, second.matrix, t),
         tuple(
             Stop(p.offset, blend_colours(p.colour, q.colour, t))
@@ -150,6 +191,23 @@ def _blend_gradients(a: Gradient, b: Gradient, t: float) -> Gradient:
         ),
         first.spread,
     )
+
+
+def _mix_lines(
+    a: tuple[float, ...], b: tuple[float, ...], t: float, turn: float
+) -> tuple[float, ...]:
+    """A line between two, by its middle, its length and its direction."""
+    lines = np.array([a, b]).reshape(2, 2, 2)
+    middle = (1 - t) * lines[0].mean(axis=0) + t * lines[1].mean(axis=0)
+    first, last = lines[:, 1] - lines[:, 0]
+    length = _mix(float(np.linalg.norm(first)), float(np.linalg.norm(last)), t)
+    angle = float(np.arctan2(cross(first, last), first @ last))
+    # Half a turn either way is one forwards, or rounding would choose.
+    angle += 2 * math.pi * (angle < HALF_TURN_TIE - math.pi)
+    ways = (angle, angle - 2 * math.pi, angle + 2 * math.pi)
+    way = min(ways, key=lambda angle: abs(angle) + SPIN_COST * abs(turn + angle))
+    half = length / 2 * np.array(rotations(np.array(t * way)) @ first / np.linalg.norm(first))
+    return (*(middle - half).tolist(), *(middle + half).tolist())
 
 
 def _mean_colour(gradient: Gradient) -> Colour:
@@ -164,12 +222,12 @@ def _mean_colour(gradient: Gradient) -> Colour:
     return from_oklab(weights @ labs, alpha)
 
 
-def _blend_strokes(a: Stroke | None, b: Stroke | None, t: float) -> Stroke | None:
+def _blend_strokes(a: Stroke | None, b: Stroke | None, t: float, turn: float) -> Stroke | None:
     if a is None:
         return None if b is None else replace(b, paint=faded(b.paint, t))
     if b is None:
         return replace(a, paint=faded(a.paint, 1 - t))
-    paint = blend_paints(a.paint, b.paint, t)
+    paint = blend_paints(a.paint, b.paint, t, turn)
     assert paint is not None  # neither of the two is
     first, second = _equal_dashes(a, b)
     return Stroke(

@@ -12,10 +12,13 @@ from shapetween.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.carry import Carrier
 from shapetween.correspond.correspondence import Correspondence
 from shapetween.geometry.bezier import flatten
+from shapetween.geometry.polygon import polygon_area
 from shapetween.matched import MatchedOutlines, Samples
 from shapetween.mesh import MeshPair
 from shapetween.outline import Outline
 from shapetween.plane.check import simple_frames
+from shapetween.plane.layout import ring_edges
+from shapetween.plane.mesh import PlaneMesh
 
 __all__ = ["Carried", "Nodes", "RingMatch", "VertexPath", "joined_meshes"]
 
@@ -181,3 +184,17 @@ class Carried:
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), ring after ring, (F, P, 4, 2)."""
         return self.nodes.curves(self.path.vertices(t), t)
+
+    def inside(self, t: Floats) -> tuple[Points, Floats]:
+        """Places all over the inside that move along, (F, N, 2), and the area about each, (N,).
+
+        Of a body without a plane around it, places along its outlines, and their lengths.
+        """
+        vertices = self.path.vertices(t)
+        mesh = getattr(self.path, "mesh", None)
+        if isinstance(mesh, PlaneMesh):
+            faces = mesh.triangles[mesh.inside]
+            return vertices[:, faces].mean(axis=2), np.abs(polygon_area(mesh.source[faces]))
+        edges = ring_edges([np.arange(part.start, part.stop) for part in self.nodes.parts])
+        ends = self.nodes.ends[0][edges]
+        return vertices[:, edges].mean(axis=2), np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)

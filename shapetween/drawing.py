@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.arrays import Affine
+from shapetween.gradients import moved_style
 from shapetween.outline import Outline
 from shapetween.paint import Style
 
@@ -59,14 +60,14 @@ class Drawing:
     warnings: tuple[str, ...] = ()
 
     def transformed(self, matrix: Affine) -> "Drawing":
-        """Every ring mapped by an affine map (2, 3); the box stays.
+        """Every ring and gradient mapped by an affine map (2, 3); the box stays.
 
         Stroke widths grow with the square root of the map's determinant, as a circle's would.
         """
         scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
         shapes = []
         for shape in self.shapes:
-            style = shape.style
+            style = moved_style(shape.style, matrix)
             if style.stroke is not None:
                 stroke = style.stroke
                 style = replace(

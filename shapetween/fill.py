@@ -12,6 +12,7 @@ from shapetween.carry import affine_between
 from shapetween.drawing import Shape
 from shapetween.errors import MeshError, OptionError, OutlineError
 from shapetween.geometry.rotation import rotations
+from shapetween.gradients import has_gradient
 from shapetween.lines import morph_speck
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer
@@ -22,6 +23,7 @@ from shapetween.passengers import Passenger
 from shapetween.regions import Region, regions_of
 from shapetween.ring import match_hole, match_outer, next_matches
 from shapetween.unfold import MOST_NODES, TOLERANCES, bare, unfolded
+from shapetween.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["FillSettings", "morph_fill"]
 
@@ -178,8 +180,16 @@ def morph_fill(
             f"{f'{name}: ' if name else ''}the outline crosses itself at {crossing} of {checked} "
             "times on the way; pins on the parts that cross may help"
         )
-    part = FilledPart(name, (first.style, second.style), tuple(carried), tuple(passengers), specks)
+    styles = (first.style, second.style)
+    motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
+    part = FilledPart(name, styles, tuple(carried), tuple(passengers), specks, motion)
     return part, tuple(warnings)
+
+
+def _whole_motion(bodies: list[Carried]) -> WholeMotion | None:
+    """The motion of all bodies as one."""
+    inside, areas = zip(*(body.inside(MOTION_TIMES) for body in bodies), strict=True)
+    return WholeMotion.of(np.concatenate(inside, axis=1), np.concatenate(areas))
 
 
 def _by_size(

@@ -10,10 +10,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from shapetween.arrays import Floats
-from shapetween.paint import Colour, Gradient, Stop
+from shapetween.arrays import Affine, Floats
+from shapetween.paint import Colour, Gradient, Stop, Style
 
-__all__ = ["IDENTITY", "common_offsets", "in_normal_form", "on_offsets", "solid_gradient"]
+__all__ = [
+    "IDENTITY",
+    "common_offsets",
+    "has_gradient",
+    "in_normal_form",
+    "moved",
+    "moved_style",
+    "on_offsets",
+    "solid_gradient",
+]
 
 IDENTITY = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
@@ -58,6 +67,29 @@ def in_normal_form(gradient: Gradient) -> Gradient:
     centre = linear @ (cx, cy) + shift
     matrix = (*symmetric.T.ravel().tolist(), *centre.tolist())
     return replace(gradient, points=(0.0, 0.0, 1.0, *focus.tolist()), matrix=matrix)
+
+
+def has_gradient(style: Style) -> bool:
+    """Whether anything in a style lies somewhere in the plane."""
+    paints = (style.fill, style.stroke.paint if style.stroke is not None else None)
+    return any(isinstance(paint, Gradient) for paint in paints)
+
+
+def moved(gradient: Gradient, matrix: Affine) -> Gradient:
+    """The gradient after an affine map (2, 3) of what it paints."""
+    a, b, c, d, e, f = gradient.matrix
+    own = np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
+    return replace(gradient, matrix=tuple((matrix @ own).T.ravel().tolist()))
+
+
+def moved_style(style: Style, matrix: Affine) -> Style:
+    """The style with its gradients moved; strokes stay as wide as they are."""
+    if isinstance(style.fill, Gradient):
+        style = replace(style, fill=moved(style.fill, matrix))
+    if style.stroke is not None and isinstance(style.stroke.paint, Gradient):
+        paint = moved(style.stroke.paint, matrix)
+        style = replace(style, stroke=replace(style.stroke, paint=paint))
+    return style
 
 
 def solid_gradient(colour: Colour, pattern: Gradient) -> Gradient:

@@ -4,13 +4,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats
+from shapetween.arrays import Curves, Floats, Points
 from shapetween.blend import blend
 from shapetween.body import Carried
+from shapetween.gradients import moved_style
 from shapetween.lines import LineMorph
 from shapetween.outline import Outline
 from shapetween.paint import Style
 from shapetween.passengers import Passenger
+from shapetween.whole import WholeMotion
 
 __all__ = ["FilledPart", "LinePart", "LonePart"]
 
@@ -27,6 +29,8 @@ class FilledPart:
     passengers : tuple of Passenger
     specks : tuple of LineMorph
         Pieces too small for meshes, as closed lines.
+    motion : WholeMotion or None
+        What gradients follow.
     """
 
     name: str
@@ -34,6 +38,7 @@ class FilledPart:
     bodies: tuple[Carried, ...]
     passengers: tuple[Passenger, ...] = ()
     specks: tuple[LineMorph, ...] = ()
+    motion: WholeMotion | None = None
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -56,7 +61,7 @@ class FilledPart:
 
     def style(self, t: float) -> Style:
         """Paint at one time."""
-        return blend(*self.styles, t)
+        return blend(*self.styles, t, self.motion)
 
     @property
     def _riders(self) -> tuple[Carried | Passenger | LineMorph, ...]:
@@ -72,11 +77,14 @@ class LinePart:
     name : str
     styles : (Style, Style)
     lines : tuple of LineMorph
+    motion : WholeMotion or None
+        What gradients follow.
     """
 
     name: str
     styles: tuple[Style, Style]
     lines: tuple[LineMorph, ...]
+    motion: WholeMotion | None = None
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -94,7 +102,7 @@ class LinePart:
 
     def style(self, t: float) -> Style:
         """Paint at one time."""
-        return blend(*self.styles, t)
+        return blend(*self.styles, t, self.motion)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -129,18 +137,25 @@ class LonePart:
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         curves = np.concatenate([ring.curves for ring in self.outlines])
-        boxes = np.array([ring.box for ring in self.outlines])
-        centre = (boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2
         size = t if self.arrives else 1 - t
-        result = centre + size[:, None, None, None] * (curves - centre)
+        result = self._centre + size[:, None, None, None] * (curves - self._centre)
         result[size == 1] = curves
         return np.asarray(result)
 
     def style(self, t: float) -> Style:
-        """Paint at one time; a stroke thins out with the shape."""
+        """Paint at one time; gradients shrink and a stroke thins out with the shape."""
         size = t if self.arrives else 1 - t
-        stroke = self.whole.stroke
-        if stroke is None or size == 1:
+        if size == 1:
             return self.whole
+        shrunk = np.column_stack([size * np.eye(2), (1 - size) * self._centre])
+        style = moved_style(self.whole, shrunk)
+        stroke = style.stroke
+        if stroke is None:
+            return style
         dashes = tuple(d * size for d in stroke.dashes) if size > 0 else ()
-        return replace(self.whole, stroke=replace(stroke, width=stroke.width * size, dashes=dashes))
+        return replace(style, stroke=replace(stroke, width=stroke.width * size, dashes=dashes))
+
+    @property
+    def _centre(self) -> Points:
+        boxes = np.array([ring.box for ring in self.outlines])
+        return np.asarray((boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2)

@@ -10,7 +10,9 @@ from shapetween.drawing import Drawing, Shape
 from shapetween.errors import OptionError
 from shapetween.fill import FillSettings, morph_fill
 from shapetween.fit import Fit, fit_matrix, mapped
-from shapetween.lines import morph_line
+from shapetween.geometry.bezier import curve_lengths
+from shapetween.gradients import has_gradient
+from shapetween.lines import LineMorph, morph_line
 from shapetween.mesh import MeshPair
 from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
@@ -18,6 +20,7 @@ from shapetween.outline import Outline
 from shapetween.pairing import Pairing, Thing, pair_shapes, pair_things
 from shapetween.parts import FilledPart, LinePart, LonePart
 from shapetween.stroking import outlined
+from shapetween.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -206,7 +209,15 @@ def _morph_lines(first: Shape, second: Shape) -> LinePart:
         *((_nearest(things[1][j], things[0]), j) for j in pairing.second_only),
     ]
     lines = tuple(morph_line(first.rings[i], second.rings[j]) for i, j in pairs)
-    return LinePart(first.name or second.name, (first.style, second.style), lines)
+    styles = (first.style, second.style)
+    motion = _whole_motion(lines) if any(map(has_gradient, styles)) else None
+    return LinePart(first.name or second.name, styles, lines, motion)
+
+
+def _whole_motion(lines: tuple[LineMorph, ...]) -> WholeMotion | None:
+    """The motion of all lines as one."""
+    curves = np.concatenate([line.curves(MOTION_TIMES) for line in lines], axis=1)
+    return WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
 
 
 def _nearest(thing: Thing, others: list[Thing]) -> int:
