@@ -18,7 +18,7 @@ from shapetween.version import installed_version
 __all__ = ["Made", "Task", "Unmade", "make"]
 
 #: Options that are told to the writer; all others are told to the pipeline.
-WRITING = frozenset({"duration", "easing", "loop", "keyframes", "precision"})
+WRITING = frozenset({"duration", "easing", "loop", "hold", "keyframes", "precision"})
 
 
 @dataclass(frozen=True, slots=True)

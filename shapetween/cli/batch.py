@@ -11,7 +11,9 @@ from typing import Any
 
 import click
 
+from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
+from shapetween.cli.values import PATH
 from shapetween.errors import OptionError
 
 __all__ = ["batch"]
@@ -21,9 +23,13 @@ PATIENCE = 10
 #: Where a scheduler may be. A client that is given anything else waits long, and ends with noise.
 _ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 
-#: Arguments of `morph` that are not options of a row.
-_NOT_A_ROW = frozenset({"a", "b", "out", "mesh", "report", "quiet", "verbose"})
-_ROW = {param.name or "": param for param in morph.params if param.name not in _NOT_A_ROW}
+#: Options of `morph` that are not those of a row.
+_NOT_A_ROW = frozenset({"out", "mesh", "report", "quiet", "verbose"})
+_ROW = {
+    param.name or "": param
+    for param in morph.params
+    if isinstance(param, click.Option) and param.name not in _NOT_A_ROW
+}
 #: Those that serve whole batches; one that may be repeated, such as a pin, concerns one pair.
 _SHARED = [param for param in _ROW.values() if not param.multiple]
 
@@ -33,12 +39,12 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
     "shapetween batch --all-in icons -o out --resume",
     params=_SHARED,
 )
-@click.argument("table", type=click.Path(path_type=Path), metavar="[PAIRS.csv]", required=False)
+@click.argument("table", type=PATH, metavar="[PAIRS.csv]", required=False)
 @click.option(
     "-o",
     "--out",
     "folder",
-    type=click.Path(path_type=Path),
+    type=PATH,
     metavar="DIR",
     required=True,
     help="Where to write; it is made if it is not there.",
@@ -46,7 +52,7 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
 @click.option(
     "--pairs-in",
     "paired",
-    type=click.Path(path_type=Path),
+    type=PATH,
     metavar="DIR",
     help="Pairs by their names instead of a table: cat-a.svg and cat-b.svg (or with _ or . before "
     "the letter), or cat/a.svg and cat/b.svg, become cat.svg.",
@@ -54,7 +60,7 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
 @click.option(
     "--all-in",
     "gathered",
-    type=click.Path(path_type=Path),
+    type=PATH,
     metavar="DIR",
     help="Every two drawings of a folder instead of a table, each pair once.",
 )
@@ -77,7 +83,7 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
 @click.option(
     "--times", is_flag=True, help="Put seconds into the summary; it then differs from run to run."
 )
-@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
+@QUIET
 def batch(
     table: Path | None,
     folder: Path,

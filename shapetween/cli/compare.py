@@ -4,7 +4,14 @@ from pathlib import Path
 
 import click
 
-from shapetween.cli.options import A, B, Common, common
+from shapetween.cli.options import (
+    A,
+    B,
+    Common,
+    common,
+    duration_option,
+    out_option,
+)
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
@@ -14,21 +21,11 @@ __all__ = ["compare"]
 @click.command(epilog="Example:  shapetween compare cat.svg dog.svg -o cat-and-dog.html")
 @A
 @B
-@click.option(
-    "-o",
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="OUT.html|OUT.svg|OUT.json",
-    help="A page, the animations alone, or the figures.  [default: A-to-B-compared.html]",
+@out_option(
+    "OUT.html|OUT.svg|OUT.json",
+    "A page, the animations alone, or the figures.  [default: A-to-B-compared.html]",
 )
-@click.option(
-    "--duration",
-    type=click.FloatRange(0.001, 86_400),
-    default=2.0,
-    show_default=True,
-    metavar="SECONDS",
-    help="Length of one way, of the animations alone.",
-)
+@duration_option("Length of one way, of the animations alone.")
 @common
 def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common) -> None:
     """Show every method on one pair, with figures: a page that needs nothing else.

@@ -8,7 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from shapetween.cli.options import METHOD_NAMES, Common, Name
+from shapetween.cli.options import (
+    QUIET,
+    A,
+    B,
+    Common,
+    easing_option,
+    loop_option,
+    method_option,
+    out_option,
+    report_option,
+)
+from shapetween.cli.values import PATH, Size
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
@@ -29,29 +40,14 @@ MOST_WORKERS = 4
 MOST_FRAMES = 100_000
 
 
-class Size(click.ParamType[Any]):
-    """``WIDTHxHEIGHT`` or ``WIDTH``."""
-
-    name = "WIDTH[xHEIGHT]"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read the one or two numbers."""
-        if isinstance(value, tuple):
-            return value
-        parts = str(value).lower().split("x")
-        if len(parts) > 2 or not all(p.isdecimal() and 0 < int(p) < 100_000 for p in parts):
-            self.fail(f"{value!r} is neither WIDTHxHEIGHT, such as 1280x720, nor WIDTH")
-        return tuple(int(part) for part in parts)
-
-
 @click.command(
     epilog="Example:  shapetween image before.jpg after.jpg --quads boards.json -o swap.webp"
 )
-@click.argument("a", type=click.Path(path_type=Path))
-@click.argument("b", type=click.Path(path_type=Path))
+@A
+@B
 @click.option(
     "--quads",
-    type=click.Path(path_type=Path),
+    type=PATH,
     multiple=True,
     metavar="FILE",
     help="Which quads of A become which of B: JSON; or two SVGs, one drawn over each picture, "
@@ -59,24 +55,21 @@ class Size(click.ParamType[Any]):
 )
 @click.option(
     "--mesh",
-    type=click.Path(path_type=Path),
+    type=PATH,
     metavar="FILE.json",
     help="A mesh over both pictures instead, in pixels. With --method linear the edges of a mesh "
     "over whole pictures stay in place.",
 )
 @click.option(
     "--outlines",
-    type=click.Path(path_type=Path),
+    type=PATH,
     nargs=2,
     metavar="A.svg B.svg",
     help="Outlines drawn over both pictures instead; meshes are found inside them.",
 )
-@click.option(
-    "-o",
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="OUT",
-    help="By its ending: .webp, .png or .apng, .gif, .mp4; none: a folder of PNG frames.  "
+@out_option(
+    "OUT",
+    "By its ending: .webp, .png or .apng, .gif, .mp4; none: a folder of PNG frames.  "
     "[default: A-to-B.webp]",
 )
 @click.option("--frames", type=click.IntRange(2, MOST_FRAMES), metavar="N", help="How many frames.")
@@ -102,27 +95,9 @@ class Size(click.ParamType[Any]):
     metavar="keep|dissolve|COLOR|FILE",
     help="Behind the quads: A, A that dissolves into B, a colour, or a picture.",
 )
-@click.option(
-    "--easing",
-    default="ease-in-out",
-    show_default=True,
-    metavar="NAME",
-    help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
-)
-@click.option(
-    "--loop",
-    type=Name("once", "repeat", "alternate"),
-    default="once",
-    show_default=True,
-    help="Stop at B, start again, or go back and forth. MP4 holds one turn of it.",
-)
-@click.option(
-    "--method",
-    type=Name(*METHOD_NAMES),
-    default="projective",
-    show_default=True,
-    help="How quads and meshes move.",
-)
+@easing_option("ease-in-out")
+@loop_option("Stop at B, start again, or go back and forth. MP4 holds one turn of it.")
+@method_option("How quads and meshes move.")
 @click.option(
     "--slip",
     type=click.FloatRange(0),
@@ -136,13 +111,8 @@ class Size(click.ParamType[Any]):
     metavar="N",
     help="Largest picture that is read.  [default: 64]",
 )
-@click.option(
-    "--report",
-    type=click.Path(path_type=Path),
-    metavar="FILE.json",
-    help="Write what was moved, and how far neighbours part.",
-)
-@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
+@report_option("Write what was moved, and how far neighbours part.")
+@QUIET
 def image(
     a: Path,
     b: Path,

@@ -1,100 +1,103 @@
-"""Options that several commands share, and what a command on a pair of drawings does with them."""
+"""Options that several commands share, and what a command on drawings does with them."""
 
-import difflib
 import functools
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 
-from shapetween.errors import MeshError
+from shapetween.cli.values import PATH, Match, Name, Pin
+from shapetween.errors import MeshError, OptionError
 from shapetween.progress import Progress
 
 if TYPE_CHECKING:
     from shapetween.api import Morph
+    from shapetween.chains import Chain
 
-__all__ = ["METHOD_NAMES", "A", "B", "Common", "Keyframes", "Match", "Name", "Pin", "common"]
+__all__ = [
+    "METHOD_NAMES",
+    "QUIET",
+    "A",
+    "B",
+    "Common",
+    "common",
+    "duration_option",
+    "easing_option",
+    "loop_option",
+    "method_option",
+    "out_option",
+    "report_option",
+]
+
+Option: TypeAlias = Callable[[Callable[..., None]], Callable[..., None]]
+"""Adds an option to a command."""
 
 #: `shapetween.interpolate.METHODS` by name, without importing it.
 METHOD_NAMES = ("projective", "projective-2007", "arap", "arap-2000", "linear")
 
-
-class Pin(click.ParamType[Any]):
-    """``AX,AY:BX,BY``: a point of A and the point of B that it becomes."""
-
-    name = "AX,AY:BX,BY"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read the four numbers."""
-        if isinstance(value, tuple):
-            return value
-        halves = [half.split(",") for half in str(value).split(":")]
-        try:
-            numbers = tuple(float(x) for half in halves for x in half)
-        except ValueError:
-            numbers = ()
-        if not numbers or [len(half) for half in halves] != [2, 2]:
-            self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28")
-        return numbers
+A = click.argument("a", type=PATH)
+B = click.argument("b", type=PATH)
+QUIET = click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
 
 
-class Match(click.ParamType[Any]):
-    """``IDA:IDB``: a shape of A and the shape of B that it becomes."""
-
-    name = "IDA:IDB"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Split at the colon."""
-        if isinstance(value, tuple):
-            return value
-        first, colon, second = str(value).partition(":")
-        if not (first and colon and second):
-            self.fail(f"{value!r} is not IDA:IDB, such as tail:tail-fin")
-        return first, second
+def out_option(metavar: str, told: str) -> Option:
+    """Where to write, for a command that has a name of its own to propose."""
+    return click.option("-o", "--out", type=PATH, metavar=metavar, help=told)
 
 
-class Name(click.ParamType[Any]):
-    """One of a few names; a wrong one is answered with the nearest."""
-
-    name = "name"
-
-    def __init__(self, *choices: str) -> None:
-        self.choices = choices
-
-    def get_metavar(self, param: click.Parameter, ctx: click.Context) -> str:
-        """List the names in the help."""
-        return "[" + "|".join(self.choices) + "]"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Check the name."""
-        if value in self.choices:
-            return value
-        near = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.4)
-        hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(self.choices)}"
-        return self.fail(f"{value!r} is not known; {hint}")
+def duration_option(told: str) -> Option:
+    """Seconds, 2 if left out."""
+    return click.option(
+        "--duration",
+        type=click.FloatRange(0.001, 86_400),
+        default=2.0,
+        show_default=True,
+        metavar="SECONDS",
+        help=told,
+    )
 
 
-class Keyframes(click.ParamType[Any]):
-    """``auto``, or how many keyframes."""
+def easing_option(default: str = "linear") -> Option:
+    """How evenly time goes by."""
+    return click.option(
+        "--easing",
+        default=default,
+        show_default=True,
+        metavar="NAME",
+        help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
+    )
 
-    name = "auto|N"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read the number."""
-        if value == "auto" or isinstance(value, int):
-            return value
-        if not (str(value).isdecimal() and int(value) >= 2):
-            self.fail(f"{value!r} is neither 'auto' nor a number of 2 or more")
-        return int(value)
+def loop_option(told: str) -> Option:
+    """What comes after the end."""
+    return click.option(
+        "--loop",
+        type=Name("once", "repeat", "alternate"),
+        default="once",
+        show_default=True,
+        help=told,
+    )
+
+
+def method_option(told: str) -> Option:
+    """What moves faces and meshes."""
+    return click.option(
+        "--method", type=Name(*METHOD_NAMES), default="projective", show_default=True, help=told
+    )
+
+
+def report_option(told: str) -> Option:
+    """A file beside the output, for figures."""
+    return click.option("--report", type=PATH, metavar="FILE.json", help=told)
 
 
 @dataclass(frozen=True, slots=True)
 class Common:
-    """The options that every command on a pair takes."""
+    """The options that every command on drawings takes."""
 
     method: str
     folds: str
@@ -107,6 +110,24 @@ class Common:
     report: Path | None
     quiet: bool
     verbose: bool
+
+    def prepare_all(
+        self, drawings: Sequence[Path], out: Path, progress: Progress
+    ) -> "Morph | Chain":
+        """Check the places to write to, then prepare the movement through two or more drawings."""
+        if len(drawings) == 2:
+            return self.prepare(drawings[0], drawings[1], out, progress)
+        of_a_pair = {"--pin": self.pins, "--match": self.matches, "--mesh": self.mesh}
+        for name, value in of_a_pair.items():
+            if value:
+                raise OptionError(
+                    f"{name}: concerns one pair, and here are {len(drawings)} drawings; "
+                    "expected two, or none of it"
+                )
+        self.check_places(drawings, out)
+        with progress("import"):
+            from shapetween.chains import chain
+        return chain(drawings, observe=progress, **self._for_any_pair())
 
     def prepare(self, a: Path, b: Path, out: Path, progress: Progress) -> "Morph":
         """Check the places to write to, then prepare the movement."""
@@ -124,23 +145,28 @@ class Common:
         """Check the places to write to; what `shapetween.morph` takes besides the drawings."""
         from shapetween import files
 
-        outputs = [out, *([self.report] if self.report else [])]
-        files.check_outputs(outputs, [a, b, *([self.mesh] if self.mesh else [])])
+        self.check_places([a, b, *([self.mesh] if self.mesh else [])], out)
         meshes: list[tuple[str, Any]] = []
         if self.mesh is not None:
             from shapetween.meshfile import load_meshes
 
             meshes = load_meshes(files.read_text(self.mesh), str(self.mesh))
         return {
-            "method": self.method,
-            "folds": self.folds,
-            "quads": self.quads,
+            **self._for_any_pair(),
             "pins": self.pins,
+            "matches": self.matches,
             "mesh": meshes,
-            "fit": self.fit,
         }
 
-    def finish(self, result: "Morph", out: Path, content: str | list[str], run: Progress) -> None:
+    def check_places(self, inputs: Sequence[Path], out: Path) -> None:
+        """Check that neither the output nor the report would overwrite anything that is read."""
+        from shapetween import files
+
+        files.check_outputs([out, *([self.report] if self.report else [])], inputs)
+
+    def finish(
+        self, result: "Morph | Chain", out: Path, content: str | list[str], run: Progress
+    ) -> None:
         """Write the output, and the report if one is wanted, and say what there is to say."""
         from shapetween import files
 
@@ -164,6 +190,66 @@ class Common:
             click.echo(json.dumps(report, indent=1), err=True)
         click.echo(f"wrote {out}")
 
+    def _for_any_pair(self) -> dict[str, Any]:
+        """What serves every pair of a chain alike."""
+        return {"method": self.method, "folds": self.folds, "quads": self.quads, "fit": self.fit}
+
+
+#: The options of `Common`, in the order of the help.
+_OPTIONS: tuple[Option, ...] = (
+    method_option("How the mesh moves."),
+    click.option(
+        "--folds",
+        type=Name("prevent", "allow"),
+        default="prevent",
+        show_default=True,
+        help="Move the plane around the shape along, so that nothing folds; or move the "
+        "bare mesh, as the paper does.",
+    ),
+    click.option(
+        "--quads",
+        type=click.IntRange(1, 10_000),
+        metavar="N",
+        help="About how many quads.  [default: as few as the shapes need]",
+    ),
+    click.option(
+        "--pin",
+        "pins",
+        type=Pin(),
+        multiple=True,
+        help="A point of A and what it becomes in B, each in its file's own units. Repeatable.",
+    ),
+    click.option(
+        "--match",
+        "matches",
+        type=Match(),
+        multiple=True,
+        help="Ids of a shape of A and the shape of B that it becomes. Repeatable.",
+    ),
+    click.option(
+        "--mesh",
+        type=PATH,
+        metavar="FILE.json",
+        help="A mesh from 'shapetween mesh', perhaps edited, or drawn by hand.",
+    ),
+    click.option(
+        "--fit",
+        type=Name("view", "geometry", "none"),
+        default="view",
+        show_default=True,
+        help="Fit B's view box into A's, B's drawn box into A's, or leave B as it is.",
+    ),
+    click.option(
+        "--precision",
+        type=click.IntRange(0, 12),
+        metavar="N",
+        help="Decimals of coordinates.  [default: by the size of the view box]",
+    ),
+    report_option("Write how the movement was found, and its figures."),
+    QUIET,
+    click.option("-v", "--verbose", is_flag=True, help="Say how the movement was found."),
+)
+
 
 def common(function: Callable[..., None]) -> Callable[..., None]:
     """Add the options of `Common`, handed over as one argument of that name."""
@@ -174,76 +260,6 @@ def common(function: Callable[..., None]) -> Callable[..., None]:
         function(common=shared, **values)
 
     command: Callable[..., None] = gathered
-    for option in reversed(
-        [
-            click.option(
-                "--method",
-                type=Name(*METHOD_NAMES),
-                default="projective",
-                show_default=True,
-                help="How the mesh moves.",
-            ),
-            click.option(
-                "--folds",
-                type=Name("prevent", "allow"),
-                default="prevent",
-                show_default=True,
-                help="Move the plane around the shape along, so that nothing folds; or move the "
-                "bare mesh, as the paper does.",
-            ),
-            click.option(
-                "--quads",
-                type=click.IntRange(1, 10_000),
-                metavar="N",
-                help="About how many quads.  [default: as few as the shapes need]",
-            ),
-            click.option(
-                "--pin",
-                "pins",
-                type=Pin(),
-                multiple=True,
-                help="A point of A and what it becomes in B, each in its file's own units. "
-                "Repeatable.",
-            ),
-            click.option(
-                "--match",
-                "matches",
-                type=Match(),
-                multiple=True,
-                help="Ids of a shape of A and the shape of B that it becomes. Repeatable.",
-            ),
-            click.option(
-                "--mesh",
-                type=click.Path(path_type=Path),
-                metavar="FILE.json",
-                help="A mesh from 'shapetween mesh', perhaps edited, or drawn by hand.",
-            ),
-            click.option(
-                "--fit",
-                type=Name("view", "geometry", "none"),
-                default="view",
-                show_default=True,
-                help="Fit B's view box into A's, B's drawn box into A's, or leave B as it is.",
-            ),
-            click.option(
-                "--precision",
-                type=click.IntRange(0, 12),
-                metavar="N",
-                help="Decimals of coordinates.  [default: by the size of the view box]",
-            ),
-            click.option(
-                "--report",
-                type=click.Path(path_type=Path),
-                metavar="FILE.json",
-                help="Write how the movement was found, and its figures.",
-            ),
-            click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors."),
-            click.option("-v", "--verbose", is_flag=True, help="Say how the movement was found."),
-        ]
-    ):
+    for option in reversed(_OPTIONS):
         command = option(command)
     return command
-
-
-A = click.argument("a", type=click.Path(path_type=Path))
-B = click.argument("b", type=click.Path(path_type=Path))

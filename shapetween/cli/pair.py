@@ -1,49 +1,48 @@
-"""Commands on one pair of drawings: an animated SVG, frames, the mesh."""
+"""Commands on drawings: an animated SVG, frames, the mesh."""
 
 from pathlib import Path
 from typing import Any
 
 import click
 
-from shapetween.cli.options import A, B, Common, Keyframes, Name, common
+from shapetween.cli.options import (
+    A,
+    B,
+    Common,
+    common,
+    duration_option,
+    easing_option,
+    loop_option,
+    out_option,
+)
+from shapetween.cli.values import PATH, Keyframes
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
 __all__ = ["frames", "mesh", "morph"]
 
+MORE = click.argument("more", type=PATH, nargs=-1, metavar="[C]...")
 
-@click.command(epilog="Example:  shapetween morph cat.svg dog.svg --duration 1.5 --loop alternate")
+
+@click.command(
+    epilog="Examples:  shapetween morph cat.svg dog.svg --duration 1.5 --loop alternate;  "
+    "shapetween morph cat.svg dog.svg cow.svg cat.svg --hold 0.5 --loop repeat"
+)
 @A
 @B
+@MORE
+@out_option("OUT.svg", "Where to write.  [default: A-to-B.svg]")
+@duration_option("Length of one way, from each drawing to the next.")
 @click.option(
-    "-o",
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="OUT.svg",
-    help="Where to write.  [default: A-to-B.svg]",
-)
-@click.option(
-    "--duration",
-    type=click.FloatRange(0.001, 86_400),
-    default=2.0,
+    "--hold",
+    type=click.FloatRange(0, 86_400),
+    default=0.0,
     show_default=True,
     metavar="SECONDS",
-    help="Length of one way.",
+    help="How long each drawing stands still.",
 )
-@click.option(
-    "--easing",
-    default="linear",
-    show_default=True,
-    metavar="NAME",
-    help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
-)
-@click.option(
-    "--loop",
-    type=Name("once", "repeat", "alternate"),
-    default="once",
-    show_default=True,
-    help="Stop at B, start again, or go back and forth.",
-)
+@easing_option()
+@loop_option("Stop at the last drawing, start again, or go back and forth.")
 @click.option(
     "--keyframes",
     type=Keyframes(),
@@ -52,17 +51,23 @@ __all__ = ["frames", "mesh", "morph"]
     help="How many shapes to write; auto takes as many as smooth movement needs.",
 )
 @common
-def morph(a: Path, b: Path, out: Path | None, common: Common, **settings: Any) -> None:
+def morph(
+    a: Path, b: Path, more: tuple[Path, ...], out: Path | None, common: Common, **settings: Any
+) -> None:
     """Write one animated SVG that moves from A to B.
 
     It plays in every browser, in <img> too, without a script.
+
+    With more drawings it goes on from B to C and so forth, all in the frame of A. Name A again at
+    the end to close the round; with --loop repeat it then never jumps.
     """
     from shapetween.frames import easing_function
 
     easing_function(settings["easing"])
-    path = out or Path(f"{a.stem}-to-{b.stem}.svg")
+    drawings = [a, b, *more]
+    path = out or Path(f"{_joined(drawings)}.svg")
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare(a, b, path, run)
+        result = common.prepare_all(drawings, path, run)
         with run("write"):
             text = result.svg(precision=common.precision, **settings)
         common.finish(result, path, text, run)
@@ -71,13 +76,8 @@ def morph(a: Path, b: Path, out: Path | None, common: Common, **settings: Any) -
 @click.command(epilog="Example:  shapetween frames cat.svg dog.svg -o frames --frames 48")
 @A
 @B
-@click.option(
-    "-o",
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="DIR",
-    help="Folder for frame_0000.svg and so on.  [default: A-to-B]",
-)
+@MORE
+@out_option("DIR", "Folder for frame_0000.svg and so on.  [default: A-to-B]")
 @click.option(
     "--frames",
     "count",
@@ -85,45 +85,48 @@ def morph(a: Path, b: Path, out: Path | None, common: Common, **settings: Any) -
     default=24,
     show_default=True,
     metavar="N",
-    help="How many frames, both ends counted.",
+    help="How many frames from each drawing to the next, both counted.",
 )
-@click.option(
-    "--easing",
-    default="linear",
-    show_default=True,
-    metavar="NAME",
-    help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
-)
+@easing_option()
 @common
-def frames(a: Path, b: Path, out: Path | None, count: int, easing: str, common: Common) -> None:
-    """Write one SVG a frame, the first drawing A and the last drawing B."""
-    from shapetween.frames import easing_function, even_times
+def frames(
+    a: Path,
+    b: Path,
+    more: tuple[Path, ...],
+    out: Path | None,
+    count: int,
+    easing: str,
+    common: Common,
+) -> None:
+    """Write one SVG a frame, the first drawing A and the last drawing B.
 
-    times = easing_function(easing)(even_times(count))
-    folder = out or Path(f"{a.stem}-to-{b.stem}")
+    With more drawings it goes on from B to C and so forth, all in the frame of A; each is one
+    frame. The paths of a frame have the same commands as far as the next drawing.
+    """
+    from shapetween.frames import easing_function
+
+    easing_function(easing)
+    drawings = [a, b, *more]
+    folder = out or Path(_joined(drawings))
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare(a, b, folder, run)
+        result = common.prepare_all(drawings, folder, run)
         with run("write"):
             from shapetween.svg.sequence import frame_svg
 
-            drawings = result.prepared.movement.at(times)
-            texts = [frame_svg(drawing, common.precision) for drawing in drawings]
+            texts = [frame_svg(frame, common.precision) for frame in result.frames(count, easing)]
         common.finish(result, folder, texts, run)
 
 
 @click.command(epilog="Example:  shapetween mesh cat.svg dog.svg -o cat-to-dog-mesh.svg")
 @A
-@click.argument("b", type=click.Path(path_type=Path), required=False)
-@click.option(
-    "-o",
-    "--out",
-    type=click.Path(path_type=Path),
-    metavar="OUT.svg|OUT.json",
-    help="A picture of both meshes, or the mesh itself.  [default: A-to-B-mesh.svg]",
+@click.argument("b", type=PATH, required=False)
+@out_option(
+    "OUT.svg|OUT.json",
+    "A picture of both meshes, or the mesh itself.  [default: A-to-B-mesh.svg]",
 )
 @click.option(
     "--over",
-    type=click.Path(path_type=Path),
+    type=PATH,
     multiple=True,
     metavar="PICTURE",
     help="Draw over A's picture, repeated over B's too, as PNG. A alone may then be the quads or "
@@ -153,3 +156,8 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
             as_json = path.suffix.lower() == ".json"
             text = result.mesh_json() if as_json else result.mesh_svg((a.name, b.name))
         common.finish(result, path, text, run)
+
+
+def _joined(drawings: list[Path]) -> str:
+    """The name of an output for which none was given."""
+    return "-to-".join(drawing.stem for drawing in drawings)

@@ -1,0 +1,95 @@
+"""What options take: how a value is read, and how a wrong one is answered."""
+
+import difflib
+from pathlib import Path
+from typing import Any
+
+import click
+
+__all__ = ["PATH", "Keyframes", "Match", "Name", "Pin", "Size"]
+
+PATH = click.Path(path_type=Path)
+
+
+class Pin(click.ParamType[Any]):
+    """``AX,AY:BX,BY``: a point of A and the point of B that it becomes."""
+
+    name = "AX,AY:BX,BY"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the four numbers."""
+        if isinstance(value, tuple):
+            return value
+        halves = [half.split(",") for half in str(value).split(":")]
+        try:
+            numbers = tuple(float(x) for half in halves for x in half)
+        except ValueError:
+            numbers = ()
+        if not numbers or [len(half) for half in halves] != [2, 2]:
+            self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28")
+        return numbers
+
+
+class Match(click.ParamType[Any]):
+    """``IDA:IDB``: a shape of A and the shape of B that it becomes."""
+
+    name = "IDA:IDB"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Split at the colon."""
+        if isinstance(value, tuple):
+            return value
+        first, colon, second = str(value).partition(":")
+        if not (first and colon and second):
+            self.fail(f"{value!r} is not IDA:IDB, such as tail:tail-fin")
+        return first, second
+
+
+class Name(click.ParamType[Any]):
+    """One of a few names; a wrong one is answered with the nearest."""
+
+    name = "name"
+
+    def __init__(self, *choices: str) -> None:
+        self.choices = choices
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context) -> str:
+        """List the names in the help."""
+        return "[" + "|".join(self.choices) + "]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Check the name."""
+        if value in self.choices:
+            return value
+        near = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.4)
+        hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(self.choices)}"
+        return self.fail(f"{value!r} is not known; {hint}")
+
+
+class Keyframes(click.ParamType[Any]):
+    """``auto``, or how many keyframes."""
+
+    name = "auto|N"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the number."""
+        if value == "auto" or isinstance(value, int):
+            return value
+        if not (str(value).isdecimal() and int(value) >= 2):
+            self.fail(f"{value!r} is neither 'auto' nor a number of 2 or more")
+        return int(value)
+
+
+class Size(click.ParamType[Any]):
+    """``WIDTHxHEIGHT`` or ``WIDTH``."""
+
+    name = "WIDTH[xHEIGHT]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the one or two numbers."""
+        if isinstance(value, tuple):
+            return value
+        parts = str(value).lower().split("x")
+        if len(parts) > 2 or not all(p.isdecimal() and 0 < int(p) < 100_000 for p in parts):
+            self.fail(f"{value!r} is neither WIDTHxHEIGHT, such as 1280x720, nor WIDTH")
+        return tuple(int(part) for part in parts)
