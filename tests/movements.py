@@ -97,3 +97,27 @@ def sample_movement(first: Style | None = None, last: Style | None = None) -> Mo
         "front",
     )
     return Movement((behind, front), Box(0, 0, 100, 100), "Ring & ellipse")
+
+
+def sample_chain() -> tuple[Movement, Movement, Movement]:
+    """Movements that follow each other: an ellipse turns, is joined by a ring, and goes home.
+
+    The ring opens and closes within the second one, whose structure is another.
+    """
+    start = ellipse((30.0, 50.0), (25.0, 10.0))
+    legs = []
+    colours = [Colour(1, 0, 0), Colour(0, 0, 1), Colour(0, 0.5, 0), Colour(1, 0, 0)]
+    moves = [spin(0.25, (40.0, 0.0)), spin(0.25, (-20.0, 20.0)), spin(-0.5, (-20.0, -20.0))]
+    for k, move in enumerate(moves):
+        part = FormulaPart(start, move, Style(colours[k]), Style(colours[k + 1]), "ellipse")
+        legs.append(Movement((part,), Box(0, 0, 100, 100)))
+        start = move(np.ones(1), start)[0]
+
+    hole = circle(np.zeros(2), 8.0)[::-1, ::-1]
+    ring = np.concatenate([circle(np.zeros(2), 14.0), hole])
+
+    def open_and_close(t: Floats, start: Curves) -> Curves:
+        return np.array([20.0, 80.0]) + (4 * t * (1 - t))[:, None, None, None] * start
+
+    joined = FormulaPart(ring, open_and_close, name="ring", rings=(4, 4), closed=(True, True))
+    return legs[0], Movement((*legs[1].parts, joined), legs[1].box), legs[2]

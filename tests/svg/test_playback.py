@@ -13,7 +13,7 @@ from shapetween.svg.sequence import frame_svg
 from shapetween.svg.smil import smil_svg
 from shapetween.svg.timeline import Loop
 from tests.browser import Browser, chromium, difference
-from tests.movements import FormulaPart, circle, sample_movement, spin
+from tests.movements import FormulaPart, circle, sample_chain, sample_movement, spin
 
 pytestmark = pytest.mark.browser
 
@@ -39,11 +39,20 @@ def assert_plays(
 ) -> None:
     """Check that at each of the moments the animated file shows the movement at that time."""
     frames = [frame_svg(drawing) for drawing in movement.at(np.array(t, float))]
-    shots = browser.pictures([animated] * len(seconds) + frames, [*seconds, *[0.0] * len(frames)])
-    for played, frame, time in zip(shots, shots[len(seconds) :], t, strict=False):
-        assert difference(played, frame) <= STRAY, f"another picture at t = {time}"
-        assert np.abs(played - frame).mean() < 0.3, f"other colours at t = {time}"
-    if len(set(t)) > 1:
+    assert_shows(browser, animated, seconds, frames)
+
+
+def assert_shows(
+    browser: Browser, animated: str, seconds: Sequence[float], frames: Sequence[str]
+) -> None:
+    """Check that at each of the moments the animated file shows the frame."""
+    shots = browser.pictures(
+        [animated] * len(seconds) + [*frames], [*seconds, *[0.0] * len(frames)]
+    )
+    for played, frame, second in zip(shots, shots[len(seconds) :], seconds, strict=False):
+        assert difference(played, frame) <= STRAY, f"another picture at {second} s"
+        assert np.abs(played - frame).mean() < 0.3, f"other colours at {second} s"
+    if len(set(frames)) > 1:
         moved = max(difference(shots[0], shot) for shot in shots)
         assert moved > 10 * STRAY, "the check would not see a difference"
 
@@ -126,5 +135,50 @@ def test_without_motion_the_first_frame_stands_still(browser: Browser) -> None:
     browser.reduce_motion(True)
     try:
         assert_plays(browser, text, (0.0, 1.0), movement, (0.0, 0.0))
+    finally:
+        browser.reduce_motion(False)
+
+
+#: Just before a joint, where nothing has moved yet that could be seen.
+BLINK = 1e-4
+
+
+@pytest.mark.parametrize(
+    ("loop", "places"),
+    [
+        # Seconds, and the leg and its time that are shown; legs take 1 s, rests half of one.
+        ("once", [(0.2, 0, 0), (1.2, 0, 0.7), (1.7, 1, 0), (4.5 - BLINK, 2, 1), (9.0, 2, 1)]),
+        ("repeat", [(3.0 - BLINK, 1, 1), (3.0, 2, 0), (3.75, 2, 0.25), (4.5, 0, 0), (7.0, 1, 0.5)]),
+        (
+            "alternate",
+            [(4.5, 2, 1), (5.3, 2, 0.7), (6.0 - BLINK, 2, 0), (6.0, 1, 1), (8.75, 0, 0.25)],
+        ),
+    ],
+)
+def test_a_chain_plays_without_a_gap(
+    browser: Browser, loop: Loop, places: Sequence[tuple[float, int, float]]
+) -> None:
+    legs = sample_chain()
+    text = smil_svg(*legs, duration=1.0, loop=loop, hold=0.5, closed=True)
+    frames = [frame_svg(legs[leg].at(np.array([t]))[0]) for _, leg, t in places]
+    assert_shows(browser, text, [second for second, _, _ in places], frames)
+
+
+def test_a_chain_without_rests_goes_straight_on(browser: Browser) -> None:
+    legs = sample_chain()
+    text = smil_svg(*legs, duration=1.0, loop="repeat", closed=True)
+    seconds = [1 - BLINK, 1.0, 1.5, 2 - BLINK, 2.0, 3 - BLINK, 3.0]
+    places = [(0, 1), (1, 0), (1, 0.5), (1, 1), (2, 0), (2, 1), (0, 0)]
+    frames = [frame_svg(legs[leg].at(np.array([float(t)]))[0]) for leg, t in places]
+    assert_shows(browser, text, seconds, frames)
+
+
+def test_a_chain_without_motion_is_its_first_drawing(browser: Browser) -> None:
+    legs = sample_chain()
+    text = smil_svg(*legs, duration=1.0, loop="repeat", hold=0.5)
+    first = frame_svg(legs[0].at(np.zeros(1))[0])
+    browser.reduce_motion(True)
+    try:
+        assert_shows(browser, text, (0.0, 2.2, 3.7), [first] * 3)
     finally:
         browser.reduce_motion(False)

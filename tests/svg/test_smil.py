@@ -2,7 +2,9 @@
 
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -18,7 +20,7 @@ from shapetween.paint import Colour, Gradient, Stop, Style
 from shapetween.svg.sequence import frame_svg
 from shapetween.svg.smil import smil_svg
 from shapetween.svg.timeline import Loop
-from tests.movements import FormulaPart, circle, rest, sample_movement, spin
+from tests.movements import FormulaPart, circle, rest, sample_chain, sample_movement, spin
 
 SVG = "{http://www.w3.org/2000/svg}"
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
@@ -145,6 +147,87 @@ def test_a_twin_stands_still_for_those_who_ask() -> None:
     assert "prefers-reduced-motion" in text
 
 
+def test_a_rest_at_both_ends() -> None:
+    """A plain movement too can stand still, and without a rest it is as it always was."""
+    movement = sample_movement()
+    for loop, times, seconds in (
+        ("once", "0;.2;.6;1", "2.5s"),
+        ("repeat", "0;.16667;.5;.83333;1", "3s"),
+        ("alternate", "0;.1;.3;.5;.6;.8;1", "5s"),
+    ):
+        text = smil_svg(movement, loop=loop, hold=0.5, keyframes=3)  # type: ignore[arg-type]
+        element = moving_paths(ET.fromstring(text))[1].find(f"{SVG}animate[@attributeName='d']")
+        assert element is not None
+        assert (element.attrib["keyTimes"], element.attrib["dur"]) == (times, seconds)
+        values = element.attrib["values"].split(";")
+        assert values[0] == values[1]
+        assert smil_svg(movement, loop=loop, hold=0.0) == smil_svg(movement, loop=loop)  # type: ignore[arg-type]
+
+
+def shown_legs(root: ET.Element, share: float) -> list[int]:
+    """The legs that are displayed at a share of the whole, as SMIL defines it."""
+    legs = []
+    for k, group in enumerate(root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")):
+        times, values = animation(group, "display")
+        if values[np.searchsorted(times, share, side="right") - 1] == "inline":
+            legs.append(k)
+    return legs
+
+
+@pytest.mark.parametrize("hold", [0.0, 0.7])
+@pytest.mark.parametrize("loop", ["once", "repeat", "alternate"])
+def test_one_leg_of_a_chain_is_shown_at_any_time(loop: Loop, hold: float) -> None:
+    text = smil_svg(*sample_chain(), loop=loop, hold=hold, easing="ease")
+    root = ET.fromstring(text)
+    groups = root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")
+    assert [group.get("display") for group in groups] == [None, "none", "none"]
+    assert len({element.attrib["dur"] for element in root.iter(f"{SVG}animate")}) == 1
+    edges = [time for group in groups for time in animation(group, "display")[0]]
+    shares = np.union1d(np.linspace(0, 1, 301), edges)
+    order = [shown_legs(root, share) for share in shares]
+    assert all(len(legs) == 1 for legs in order)
+    turns = [before for before, after in pairwise([*order, [-1]]) if before != after]
+    assert turns == [[0], [1], [2], *([[1], [0]] if loop == "alternate" else [])]
+
+
+def test_legs_have_a_structure_and_ids_of_their_own() -> None:
+    root = ET.fromstring(smil_svg(*sample_chain(), loop="alternate", hold=0.3))
+    structures = []
+    for group in root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g"):
+        commands: set[str] = set()
+        for path in group.findall(f"{SVG}path"):
+            _, values = animation(path, "d")
+            assert path.attrib["d"] == values[0]
+            written = {re.sub("[^A-Z]", "", value) for value in values}
+            assert len(written) == 1
+            commands |= written
+        structures.append(commands)
+    assert structures == [{"MCZ"}, {"MCZ", "MCZMCZ"}, {"MCZ"}]
+    ids = [element.attrib["id"] for element in root.iter() if "id" in element.attrib]
+    assert len(ids) == len(set(ids))
+    twin = root.find(f"{SVG}g[@class='shapetween-still']")
+    assert twin is not None
+    assert [path.attrib["d"] for path in twin] == [path.attrib["d"] for path in legs_paths(root, 0)]
+
+
+def legs_paths(root: ET.Element, leg: int) -> Sequence[ET.Element]:
+    groups = root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")
+    return groups[leg].findall(f"{SVG}path")
+
+
+def test_many_legs_have_finer_times() -> None:
+    """Or the moments of each would be rounded to coarse steps."""
+    leg = sample_movement()
+    root = ET.fromstring(smil_svg(*[leg] * 40, keyframes=121))
+    for k in (0, 20, 39):
+        element = legs_paths(root, k)[1].find(f"{SVG}animate[@attributeName='d']")
+        assert element is not None
+        steps = np.diff(played(element, "keyTimes")[:, 0]) * 40
+        moving = steps[(steps > 0) & (steps < 0.5)]
+        assert len(moving) == 120
+        np.testing.assert_allclose(moving, 1 / 120, rtol=0.01)
+
+
 def test_names_are_escaped_and_ids_unique() -> None:
     curves = circle(np.array([5.0, 5.0]), 3.0)
     names = ["a", "a", 'x"<&>y', "two words", "", "g\0\x01é", "a"]
@@ -188,6 +271,8 @@ def test_fixed_keyframes_are_even() -> None:
         ({"duration": 0.0}, "duration 0.0: expected seconds"),
         ({"duration": float("nan")}, "expected seconds"),
         ({"loop": "forever"}, "expected once, repeat, alternate"),
+        ({"hold": -0.1}, "hold -0.1: expected seconds"),
+        ({"hold": float("inf")}, "hold inf: expected seconds"),
         ({"keyframes": 1}, "1 keyframes: expected 'auto' or at least 2"),
         ({"easing": "bouncy"}, "easing 'bouncy'"),
         ({"precision": 99}, "precision 99"),
