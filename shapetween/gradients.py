@@ -7,11 +7,12 @@ halfway between a matrix and its half turn everything does.
 """
 
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
 from shapetween.arrays import Affine, Floats
-from shapetween.paint import Colour, Gradient, Stop, Style
+from shapetween.paint import Colour, Gradient, Stop, Style, Texture
 
 __all__ = [
     "IDENTITY",
@@ -23,6 +24,8 @@ __all__ = [
     "on_offsets",
     "solid_gradient",
 ]
+
+PlacedT = TypeVar("PlacedT", Gradient, Texture)
 
 IDENTITY = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
@@ -75,15 +78,17 @@ def has_gradient(style: Style) -> bool:
     return any(isinstance(paint, Gradient) for paint in paints)
 
 
-def moved(gradient: Gradient, matrix: Affine) -> Gradient:
-    """The gradient after an affine map (2, 3) of what it paints."""
-    a, b, c, d, e, f = gradient.matrix
+def moved(paint: PlacedT, matrix: Affine) -> PlacedT:
+    """A gradient or a texture after an affine map (2, 3) of what it paints."""
+    a, b, c, d, e, f = paint.matrix
     own = np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
-    return replace(gradient, matrix=tuple((matrix @ own).T.ravel().tolist()))
+    return replace(paint, matrix=tuple((matrix @ own).T.ravel().tolist()))
 
 
 def moved_style(style: Style, matrix: Affine) -> Style:
-    """The style with its gradients moved; strokes stay as wide as they are."""
+    """The style with its gradients and its texture moved; strokes stay as wide as they are."""
+    if style.texture is not None:
+        style = replace(style, texture=moved(style.texture, matrix))
     if isinstance(style.fill, Gradient):
         style = replace(style, fill=moved(style.fill, matrix))
     if style.stroke is not None and isinstance(style.stroke.paint, Gradient):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-__all__ = ["Colour", "FillRule", "Gradient", "Paint", "Stop", "Stroke", "Style"]
+__all__ = ["Colour", "FillRule", "Gradient", "Paint", "Stop", "Stroke", "Style", "Texture"]
 
 FillRule: TypeAlias = Literal["nonzero", "evenodd"]
 
@@ -66,10 +66,40 @@ class Stroke:
 
 
 @dataclass(frozen=True, slots=True)
+class Texture:
+    """A picture or a pattern, as the SVG that draws it; only drawings read for pictures have any.
+
+    Attributes
+    ----------
+    root : str
+        Attributes of the document's root, as text.
+    definitions : str
+        What the document holds, as text; none of it is drawn by itself.
+    element : str
+        What draws the texture, as text, over and around the area that it fills.
+    matrix : tuple of float
+        a, b, c, d, e, f of the map from the element's coordinates to user units.
+    size : (float, float)
+        Width and height that percentages are of.
+    """
+
+    root: str
+    definitions: str
+    element: str
+    matrix: tuple[float, ...]
+    size: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Style:
-    """Everything that paints one shape."""
+    """Everything that paints one shape.
+
+    A texture fills it where pictures are made; anywhere else, and beside other paints, `fill`
+    stands for it.
+    """
 
     fill: Paint = field(default_factory=Colour)
     stroke: Stroke | None = None
     opacity: float = 1.0
     fill_rule: FillRule = "nonzero"
+    texture: Texture | None = None

@@ -91,9 +91,9 @@ def test_a_gradient_rides_on_its_shape(paint: Gradient, angle: float, stroked: b
         first, shape = (drawn.shapes[0] for drawn in movement.at(np.array([0.0, t])))
         start, place = (each.rings[0].curves[:, 0] for each in (first, shape))
         # The map that takes the first frame's corners to this one's says where the gradient is.
-        found: Affine = np.linalg.lstsq(np.c_[start, np.ones(len(start))], place, rcond=None)[0].T
+        found = np.linalg.lstsq(np.c_[start, np.ones(len(start))], place, rcond=None)[0].T
         shown = shape.style.stroke.paint if shape.style.stroke else shape.style.fill
-        wanted = moved_style(Style(paint), found).fill
+        wanted = moved_style(Style(paint), np.asarray(found, np.float64)).fill
         assert numbers(shown) == pytest.approx(numbers(wanted), abs=2e-3)
 
 

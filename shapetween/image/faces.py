@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from shapetween.arrays import Floats, Points, Quads
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 
-__all__ = ["Bilinear", "FaceMap", "Footprint", "Projection", "projections"]
+__all__ = ["SHARPNESS", "Bilinear", "FaceMap", "Footprint", "Projection", "projections"]
 
 #: Most samples along a pixel's longer side. More cost time where a board is seen edge-on; fewer
 #: blur it there.

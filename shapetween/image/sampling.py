@@ -15,7 +15,7 @@ from shapetween.image.faces import FaceMap, Footprint
 from shapetween.image.light import FULL, Shares
 from shapetween.image.picture import Picture, Texels, colours_at, fourfold
 
-__all__ = ["Texture"]
+__all__ = ["Texture", "between_levels"]
 
 #: How far a face may reach over the picture's edge, in pixels, and still count as inside it.
 REACH = 0.01
@@ -74,7 +74,7 @@ class Texture:
             colours = colours_at(levels[0], u, v)
         else:
             level = np.minimum(self.footprint.level(x, y, u, v), len(levels) - 1)
-            colours = _between_levels(levels, level, u, v)
+            colours = between_levels(levels, level, u, v)
         if self.beyond.any():
             colours *= fourfold(self._inside(u, v))
         return colours
@@ -90,7 +90,7 @@ class Texture:
         return result
 
 
-def _between_levels(
+def between_levels(
     levels: tuple[Texels, ...], level: NDArray[np.float32], u: Floats, v: Floats
 ) -> Shares:
     """Light between two halvings of a picture, linearly by level, (N, 4) in units of 1 / FULL."""
@@ -107,5 +107,5 @@ def _between_levels(
     for k in range(low, high):
         here = np.flatnonzero(level.astype(np.intp) == k)
         if len(here):
-            colours[here] = _between_levels(levels, level[here], u[here], v[here])
+            colours[here] = between_levels(levels, level[here], u[here], v[here])
     return colours

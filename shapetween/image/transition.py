@@ -1,8 +1,6 @@
 """A transition between two pictures, drawn frame by frame."""
 
-from collections import deque
 from collections.abc import Generator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +13,7 @@ from shapetween.image.layers import Layer, Piece
 from shapetween.image.light import FULL, Bytes, Light, Shares, encode
 from shapetween.image.picture import Picture, fourfold
 from shapetween.image.sampling import Texture
+from shapetween.image.streams import in_order
 
 __all__ = ["SLIP_TOLERANCE", "Transition", "fitted"]
 
@@ -167,21 +166,9 @@ class Transition:
         order : sequence of int, optional
             Which frames; all of them if left out.
         workers : int
-            How many are drawn at once; no more than twice as many are held.
+            How many are drawn at once; one more than that are held.
         """
-        indices = range(len(self.times)) if order is None else order
-        with ThreadPoolExecutor(workers) as pool:
-            waiting: deque[Future[Bytes]] = deque()
-            try:
-                for index in indices:
-                    waiting.append(pool.submit(self.frame, index))
-                    if len(waiting) > workers:
-                        yield waiting.popleft().result()
-                while waiting:
-                    yield waiting.popleft().result()
-            finally:
-                for future in waiting:
-                    future.cancel()
+        return in_order(self.frame, range(len(self.times)) if order is None else order, workers)
 
 
 def _draw(

@@ -159,7 +159,7 @@ class Clipper:
         if clip.element.get("clipPathUnits", "").strip() != "objectBoundingBox":
             return frame
         tag = local_name(clip.clipped)
-        if tag not in SHAPES:
+        if tag not in SHAPES and tag != "image":
             self._document.losses.add("a clip path in units of its group's box was left out")
             return None
         box = bounds(subpaths_of(self._document, Placed(clip.clipped, tag, clip.frame)))

@@ -1,6 +1,8 @@
 """A parsed document with what every stage of reading it looks up."""
 
 from collections import Counter
+from collections.abc import Callable
+from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
 from shapetween.paint import Stop
@@ -10,7 +12,11 @@ from shapetween.svg.style import Cascade
 from shapetween.svg.units import Viewport
 from shapetween.svg.xml import XLINK, local_name, parse_xml
 
-__all__ = ["Document", "Losses", "href", "label", "title_of"]
+__all__ = ["Document", "Losses", "Pictures", "href", "label", "title_of"]
+
+Pictures: TypeAlias = Callable[[str], str | None]
+"""The ``data:`` address of a picture beside the document for its own address; None if it cannot be
+had."""
 
 
 class Losses:
@@ -53,6 +59,8 @@ class Document:
     name : str
         The file, for messages.
     limits : Limits
+    pictures : callable, optional
+        Where pictures are found. If given, patterns and pictures are read as textures.
 
     Attributes
     ----------
@@ -66,6 +74,10 @@ class Document:
         Stops of gradients at an opacity, without any that they inherit.
     geometry : dict
         What elements draw in viewports, kept for those that are drawn again.
+    textures : int
+        How many textures were made so far.
+    definitions : str or None
+        All of the document as the definitions of a texture, once that was asked for.
 
     Raises
     ------
@@ -74,8 +86,13 @@ class Document:
     BudgetError
     """
 
-    def __init__(self, data: bytes, name: str, limits: Limits) -> None:
+    def __init__(
+        self, data: bytes, name: str, limits: Limits, pictures: Pictures | None = None
+    ) -> None:
         self.name = name
+        self.pictures = pictures
+        self.textures = 0
+        self.definitions: str | None = None
         self.limits = limits
         self.losses = Losses()
         self.root, warnings = parse_xml(data, name, limits)

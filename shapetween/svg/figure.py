@@ -10,7 +10,7 @@ from shapetween.drawing import Shape
 from shapetween.outline import Outline
 from shapetween.paint import Style
 from shapetween.svg.document import Document
-from shapetween.svg.painting import style_of
+from shapetween.svg.painting import picture_style, style_of
 from shapetween.svg.pathdata import Subpath
 from shapetween.svg.rings import ring_of
 from shapetween.svg.shapes import basic_shape
@@ -42,6 +42,10 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     subpaths = subpaths_of(document, placed)
     if not subpaths:
         return []
+    if placed.tag == "image":
+        style = picture_style(document, placed, subpaths)
+        rings = rings_of(document, placed, subpaths, style) if style is not None else ()
+        return [Shape(rings, style, placed.name)] if style is not None and rings else []
     path_length = number(placed.element.get("pathLength"))
     style = style_of(document, placed.frame, subpaths, path_length)
     if style.fill is None and style.stroke is None:
@@ -73,7 +77,8 @@ def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
         path = _CSS_PATH.fullmatch(values.get("d", "").strip())
         if path:
             values["d"] = path[2]
-        data = basic_shape(placed.tag, values, viewport, document.limits.path_commands)
+        tag = "rect" if placed.tag == "image" else placed.tag  # it has no corners to round
+        data = basic_shape(tag, values, viewport, document.limits.path_commands)
         document.geometry[placed.element, viewport] = data
     document.spend("path_commands", data.commands)
     if data.problem:

@@ -6,19 +6,20 @@ from typing import Literal, cast
 import numpy as np
 
 from shapetween.geometry.bezier import curve_lengths
-from shapetween.paint import Colour, FillRule, Paint, Stroke, Style
+from shapetween.paint import Colour, FillRule, Paint, Stroke, Style, Texture
 from shapetween.svg.colours import CURRENT, parse_paint
 from shapetween.svg.document import Document
 from shapetween.svg.gradients import GRADIENTS, colour_of, gradient, with_alpha
 from shapetween.svg.pathdata import Subpath
 from shapetween.svg.rings import bounds
 from shapetween.svg.style import Properties
+from shapetween.svg.textures import pattern_texture, picture_texture
 from shapetween.svg.transform import mean_scale, stretch
 from shapetween.svg.units import number
-from shapetween.svg.walk import Frame
+from shapetween.svg.walk import KEPT, Frame, Placed
 from shapetween.svg.xml import local_name
 
-__all__ = ["fill_rule", "style_of"]
+__all__ = ["fill_rule", "picture_style", "style_of"]
 
 #: Greatest over least scale up to which a stroke keeps its one width without a warning; more shows.
 MOST_STRETCH = 1.05
@@ -26,8 +27,8 @@ MOST_STRETCH = 1.05
 #: Most numbers of a dash pattern that are read; drawings have a handful.
 MOST_DASHES = 1000
 
-#: What stands for a pattern, which is neither a colour nor a gradient.
-PATTERN_GREY = Colour(0.5, 0.5, 0.5)
+#: What stands for a pattern or a picture, which is neither a colour nor a gradient.
+STAND_IN = Colour(0.5, 0.5, 0.5)
 
 
 def style_of(
@@ -51,7 +52,28 @@ def style_of(
         stroke=_stroke(document, frame, subpaths, path_length),
         opacity=frame.opacity,
         fill_rule=fill_rule(properties, "fill-rule"),
+        texture=_fill_texture(document, frame, subpaths),
     )
+
+
+def picture_style(document: Document, placed: Placed, subpaths: Sequence[Subpath]) -> Style | None:
+    """How an ``image`` is painted; None, with a warning, if it cannot be had."""
+    texture = picture_texture(document, placed, bounds(subpaths))
+    if texture is None:
+        return None
+    return Style(fill=STAND_IN, opacity=placed.frame.opacity, texture=texture)
+
+
+def _fill_texture(document: Document, frame: Frame, subpaths: Sequence[Subpath]) -> Texture | None:
+    """The pattern that fills a shape, if patterns are kept."""
+    value = parse_paint(frame.properties.get("fill", "black"))
+    alpha = _alpha(frame, "fill")
+    if document.pictures is None or value is None or not value.reference or alpha == 0:
+        return None
+    server = document.ids.get(value.reference)
+    if server is None or local_name(server) != "pattern":
+        return None
+    return pattern_texture(document, value.reference, bounds(subpaths), frame, alpha)
 
 
 def fill_rule(properties: Properties, name: str) -> FillRule:
@@ -64,8 +86,7 @@ def _paint(
 ) -> Paint:
     properties = frame.properties
     value = parse_paint(properties.get(name, default))
-    opacity = number(properties.get(f"{name}-opacity"))
-    alpha = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
+    alpha = _alpha(frame, name)
     if value is None or alpha == 0:
         return None
     if value.reference:
@@ -77,14 +98,22 @@ def _paint(
             )
             return None if isinstance(paint, Colour) and paint.alpha == 0 else paint
         if kind == "pattern":
-            document.losses.add("a pattern was replaced by a plain colour")
-            return with_alpha(PATTERN_GREY, alpha)
+            if document.pictures is None:
+                document.losses.add(f"a pattern was replaced by a plain colour; {KEPT}")
+            elif name == "stroke":
+                document.losses.add("a pattern on a stroke was replaced by a plain colour")
+            return with_alpha(STAND_IN, alpha)
         if value.colour is None:
             document.losses.add(f"a {name} names no gradient in this file and was left out")
     colour = colour_of(properties, "color") if value.colour == CURRENT else value.colour
     if not isinstance(colour, Colour) or colour.alpha == 0:
         return None
     return with_alpha(colour, alpha)
+
+
+def _alpha(frame: Frame, name: str) -> float:
+    opacity = number(frame.properties.get(f"{name}-opacity"))
+    return 1.0 if opacity is None else min(1.0, max(0.0, opacity))
 
 
 def _stroke(

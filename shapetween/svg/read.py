@@ -14,7 +14,7 @@ from shapetween.arrays import Floats
 from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import BudgetError, InputError
 from shapetween.svg.clip import Clipper
-from shapetween.svg.document import Document, title_of
+from shapetween.svg.document import Document, Pictures, title_of
 from shapetween.svg.figure import shapes_of
 from shapetween.svg.limits import Limits
 from shapetween.svg.transform import affine
@@ -32,7 +32,9 @@ DEFAULT_SIZE = (300.0, 150.0)
 MOST_COMPARED = 500
 
 
-def read_svg(data: bytes, name: str, limits: Limits | None = None) -> Drawing:
+def read_svg(
+    data: bytes, name: str, limits: Limits | None = None, pictures: Pictures | None = None
+) -> Drawing:
     """Read a whole SVG document.
 
     Parameters
@@ -43,6 +45,9 @@ def read_svg(data: bytes, name: str, limits: Limits | None = None) -> Drawing:
         What the user calls the file, for messages.
     limits : Limits, optional
         Budgets, by default those that no honest file meets.
+    pictures : callable, optional
+        Where pictures beside the file are found. If given, shapes keep patterns, and pictures are
+        shapes, both with textures that only a picture of the drawing can show.
 
     Returns
     -------
@@ -61,13 +66,13 @@ def read_svg(data: bytes, name: str, limits: Limits | None = None) -> Drawing:
         If it passes one of the limits.
     """
     try:
-        return _read(data, name, limits or Limits())
+        return _read(data, name, limits or Limits(), pictures)
     except (RecursionError, MemoryError):
         raise BudgetError(name, "is nested too deeply or too large to be read") from None
 
 
-def _read(data: bytes, name: str, limits: Limits) -> Drawing:
-    document = Document(data, name, limits)
+def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> Drawing:
+    document = Document(data, name, limits, pictures)
     root = document.root
     view_box = parse_view_box(root.get("viewBox"))
     if view_box is None and root.get("viewBox", "").strip():

@@ -20,13 +20,15 @@ from shapetween.svg.units import Viewport, number
 from shapetween.svg.viewbox import fit, parse_view_box
 from shapetween.svg.xml import local_name
 
-__all__ = ["Clip", "Frame", "Placed", "entered", "walk"]
+__all__ = ["KEPT", "Clip", "Frame", "Placed", "entered", "walk"]
 
 GROUPS = frozenset({"g", "a", "svg", "switch", "use", "symbol"})
+#: How what only pictures can show is kept.
+KEPT = "written as .webp, .png, .gif or .mp4 it is kept"
 #: What is left out, by element, in the words of the warning.
 LOST_ELEMENTS = {
     "text": "text was left out; convert it to paths to keep it",
-    "image": "an image was left out",
+    "image": f"an image was left out; {KEPT}",
     "foreignObject": "a foreign object was left out",
 }
 #: What is not applied, by property.
@@ -154,14 +156,15 @@ def walk(document: Document, start: Element, frame: Frame) -> Iterator[Placed]:
         properties = document.cascade.properties(element, visit.frame.properties)
         if properties.get("display") == "none" or not _conditions_met(element):
             continue
-        if tag in LOST_ELEMENTS:
+        picture = tag == "image" and document.pictures is not None
+        if tag in LOST_ELEMENTS and not picture:
             if properties.get("visibility", "visible") == "visible":
                 document.losses.add(LOST_ELEMENTS[tag])
             continue
         inner = entered(document, element, properties, visit.frame)
         if inner is None:
             continue
-        if tag in SHAPES:
+        if tag in SHAPES or picture:
             yield Placed(element, tag, inner)
         elif tag == "use":
             target = _used(document, element, inner)
