@@ -5,8 +5,9 @@ How a path was cut into commands then makes no difference to how it moves.
 
 import numpy as np
 
-from shapetween.arrays import Curves, Mask
+from shapetween.arrays import Curves, Index
 from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.polygon import cross
 from shapetween.outline import Outline
 
 __all__ = ["tidy"]
@@ -31,16 +32,22 @@ def tidy(outline: Outline) -> Outline:
     """
     low, high = outline.box
     size = float(np.max(high - low))
-    curves = _without_points(outline.curves, TINY * size)
+    # Joined first: a curve that goes takes with it what its neighbours were cut from.
+    curves = _without_cuts(outline.curves, SAME_CURVE * size)
+    kept = _without_points(curves, TINY * size)
+    return Outline(curves if kept is curves else _without_cuts(kept, SAME_CURVE * size))
+
+
+def _without_cuts(curves: Curves, tolerance: float) -> Curves:
     while len(curves) > 2:
-        joined, good = _joined(curves, SAME_CURVE * size)
-        taken = _apart(np.flatnonzero(good).tolist(), len(curves))
+        places, joined = _joined(curves, tolerance)
+        taken = _apart(places.tolist(), len(curves))
         if not taken:
             break
         curves = curves.copy()
-        curves[taken] = joined[taken]
+        curves[taken] = joined[np.searchsorted(places, taken)]
         curves = np.delete(curves, (np.array(taken) + 1) % len(curves), axis=0)
-    return Outline(curves)
+    return curves
 
 
 def _apart(indices: list[int], count: int) -> list[int]:
@@ -59,19 +66,28 @@ def _without_points(curves: Curves, tiny: float) -> Curves:
     if keep.all() or keep.sum() < 2:
         return curves
     curves = curves[keep]
+    shift = np.roll(curves[:, 3], 1, axis=0) - curves[:, 0]
+    # All of a curve follows its start, so that a line stays one.
+    curves = curves + np.linspace(1.0, 0.0, 4)[:, None] * shift[:, None]
     curves[:, 0] = np.roll(curves[:, 3], 1, axis=0)
     return curves
 
 
-def _joined(curves: Curves, tolerance: float) -> tuple[Curves, Mask]:
-    """For each curve and the next, the curve they would be the two parts of, and if they are.
+def _joined(curves: Curves, tolerance: float) -> tuple[Index, Curves]:
+    """Which curves are the first part of a curve that the next one is the rest of; those curves.
 
     A cubic cut at t has handles on both sides of the cut in the ratio t to 1 - t.
     """
     after = np.roll(curves, -1, axis=0)
-    handle = np.linalg.norm(curves[:, 3] - curves[:, 2], axis=1)
-    total = handle + np.linalg.norm(after[:, 1] - after[:, 0], axis=1)
-    share = np.clip(handle / np.where(total > 0, total, 1.0), 1e-3, 1 - 1e-3)
+    reaching, leaving = curves[:, 3] - curves[:, 2], after[:, 1] - after[:, 0]
+    handle = np.linalg.norm(reaching, axis=1)
+    total = handle + np.linalg.norm(leaving, axis=1)
+    # Both handles lie on one line, to within what the joined curve may miss.
+    smooth = np.flatnonzero(np.abs(cross(reaching, leaving)) <= 4 * tolerance * total)
+    if not len(smooth):
+        return smooth, curves[:0]
+    curves, after, handle, total = curves[smooth], after[smooth], handle[smooth], total[smooth]
+    share = np.clip(handle / np.where(total > 0, total, 1.0), TINY / 2, 1 - TINY / 2)
     first, last = share[:, None], 1 - share[:, None]
     joined = np.stack(
         [
@@ -85,4 +101,5 @@ def _joined(curves: Curves, tolerance: float) -> tuple[Curves, Mask]:
     zero, one = np.zeros(len(share)), np.ones(len(share))
     missed = np.abs(sub_curves(joined, zero, share) - curves).max(axis=(1, 2))
     missed = np.maximum(missed, np.abs(sub_curves(joined, share, one) - after).max(axis=(1, 2)))
-    return joined, np.asarray(missed <= tolerance)
+    good = missed <= tolerance
+    return smooth[good], joined[good]

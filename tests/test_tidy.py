@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from shapetween.arrays import Curves
@@ -27,6 +27,7 @@ cuts = st.lists(st.tuples(st.floats(0, 0.999), st.floats(0.05, 0.95)), min_size=
 
 
 @settings(max_examples=40)
+@example(0, [(0.0, 0.125), (0.0, 0.125), (0.0, 0.0625), (0.0, 0.0625)], 0, False)
 @given(st.integers(0, 20), cuts, st.integers(-3, 6), st.booleans())
 def test_cut_curves_are_joined_again(
     seed: int, places: list[tuple[float, float]], size: int, curved: bool

@@ -11,6 +11,7 @@ from shapetween.arrays import Curves, Floats, Points
 
 __all__ = [
     "curve_lengths",
+    "derivatives",
     "end_tangents",
     "evaluate",
     "flatten",
@@ -37,15 +38,23 @@ def evaluate(curves: Curves, t: Floats) -> Points:
     Parameters
     ----------
     curves : (..., 4, 2) float64
-    t : (K,) float64
+    t : (K,) or (..., K) float64
+        The same for all curves, or each curve's own.
 
     Returns
     -------
     (..., K, 2) float64
     """
     s = 1 - t
-    basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)  # (K, 4)
+    basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)  # (..., K, 4)
     return basis @ curves
+
+
+def derivatives(curves: Curves, t: Floats) -> Points:
+    """Velocities of every curve, with parameters and shapes as for `evaluate`."""
+    s = 1 - t
+    basis = np.stack([s * s, 2 * s * t, t * t], axis=-1)
+    return np.asarray(basis @ (3 * np.diff(curves, axis=-2)))
 
 
 def flatten(curves: Curves, pieces: int) -> Points:
@@ -107,9 +116,7 @@ def curve_lengths(curves: Curves, start: Floats | float = 0.0, end: Floats | flo
     low, high = np.broadcast_arrays(np.asarray(start, float), np.asarray(end, float))
     low, high = np.broadcast_to(low, len(curves)), np.broadcast_to(high, len(curves))
     t = low[:, None] + (high - low)[:, None] * (nodes + 1) / 2
-    s = 1 - t
-    basis = np.stack([s * s, 2 * s * t, t * t], axis=-1)
-    speed = np.linalg.norm(basis @ (3 * np.diff(curves, axis=-2)), axis=-1)
+    speed = np.linalg.norm(derivatives(curves, t), axis=-1)
     return np.asarray((speed * weights).sum(-1) * (high - low) / 2)
 
 
