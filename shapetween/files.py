@@ -69,23 +69,39 @@ def read_text(path: Path, limit: int = MAX_BYTES) -> str:
 def check_outputs(outputs: Sequence[Path], inputs: Sequence[Path]) -> None:
     """Check before any work that what will be written overwrites no input, nor each other.
 
+    An output that is a folder is one for frames, and may replace whatever is named like them.
+
     Raises
     ------
     OptionError
         If it would, or an output's folder is not there.
     """
     for k, output in enumerate(outputs):
-        if any(_same(output, path) for path in inputs):
-            raise OptionError(f"{output}: is an input; expected another name for the output")
+        with _reported(output):
+            _check_parent(output)
+            for_frames = output.is_dir()
+        for path in inputs:
+            if _same(output, path):
+                raise OptionError(f"{output}: is an input; expected another name for the output")
+            if for_frames and any(_is_frame(p, output) for p in (path, path.resolve())):
+                raise OptionError(
+                    f"{path}: is an input, and frames written to {output} would replace it; "
+                    "expected another folder"
+                )
         if any(_same(output, path) for path in outputs[:k]):
             raise OptionError(f"{output}: is written twice; expected two names")
-        _check_parent(output)
+
+
+def _is_frame(path: Path, folder: Path) -> bool:
+    """Whether a file is in the folder, and named as frames are."""
+    return bool(_FRAME.fullmatch(path.stem)) and _same(path.parent, folder)
 
 
 def _same(a: Path, b: Path) -> bool:
-    if a.exists() and b.exists():
+    try:
         return a.samefile(b)
-    return a.resolve() == b.resolve()
+    except OSError:  # one of them is not there
+        return a.resolve() == b.resolve()
 
 
 def _check_parent(path: Path) -> None:

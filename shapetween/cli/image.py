@@ -142,6 +142,8 @@ def image(
     if len(quads) > 2:
         raise OptionError(f"--quads: {len(quads)} files; expected one JSON or two SVGs")
     given = [*quads, *([mesh] if mesh else []), *(outlines or ())]
+    if Path(background).is_file():
+        given.append(Path(background))
     out = out or Path(f"{a.stem}-to-{b.stem}.webp")
     files.check_outputs([out, *([report] if report else [])], [a, b, *given])
     count, fps = _timing(settings["frames"], settings["fps"], settings["duration"])
