@@ -13,6 +13,7 @@ from shapetween.drawing import Drawing
 from shapetween.errors import OptionError
 from shapetween.fit import Fit, inverted, mapped
 from shapetween.frames import easing_function, even_times
+from shapetween.linked import pictures_beside
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.pipeline import Folds, Options, Prepared, prepare
@@ -141,6 +142,7 @@ def morph(
     mesh: MeshPair | Iterable[tuple[str, MeshPair]] = (),
     fit: Fit = "view",
     folds: Folds = "prevent",
+    pictures: bool = False,
     observe: Observer = unobserved,
 ) -> Morph:
     """Prepare the movement between two drawings.
@@ -164,6 +166,8 @@ def morph(
         box, or not at all.
     folds : {"prevent", "allow"}
         Move the plane around a shape along, so that nothing folds, or the bare mesh alone.
+    pictures : bool
+        Keep patterns and pictures in files, for a `shapetween.image.film.Film` of the movement.
     observe : Observer, optional
         Told of every stage as it begins and ends.
 
@@ -182,16 +186,18 @@ def morph(
         folds=folds,
     )
     with observe("read"):
-        drawings = opened(a), opened(b)
+        drawings = opened(a, pictures), opened(b, pictures)
     names = name_of(a, "first drawing"), name_of(b, "second drawing")
     return Morph(prepare(*drawings, options, names=names, observe=observe), method)
 
 
-def opened(source: Source) -> Drawing:
-    """The drawing, read from its file if need be."""
+def opened(source: Source, pictures: bool = False) -> Drawing:
+    """The drawing, read from its file if need be, with patterns and pictures or without."""
     if isinstance(source, Drawing):
         return source
-    return read_svg(files.read_bytes(Path(source)), str(source))
+    path = Path(source)
+    beside = pictures_beside(path) if pictures else None
+    return read_svg(files.read_bytes(path), str(source), pictures=beside)
 
 
 def name_of(source: Source, default: str) -> str:

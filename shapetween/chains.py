@@ -39,8 +39,14 @@ class Chain:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What was lost or is doubtful, one line each."""
-        return tuple(dict.fromkeys(line for leg in self.legs for line in leg.warnings))
+        """What was lost or is doubtful, one line each; what names no drawing names its leg."""
+        lines = [
+            line if line.startswith(tuple(f"{name}: " for name in names)) else f"{of_leg}: {line}"
+            for leg, names in zip(self.legs, pairwise(self.names), strict=True)
+            for of_leg in [" to ".join(names)]
+            for line in leg.warnings
+        ]
+        return tuple(dict.fromkeys(lines))
 
     def at(self, t: float) -> Drawing:
         """The drawing at one time, from 0 at the first to 1 at the last, every leg as long."""
@@ -103,6 +109,7 @@ def chain(
     quads: int | None = None,
     fit: Fit = "view",
     folds: Folds = "prevent",
+    pictures: bool = False,
     observe: Observer = unobserved,
 ) -> Chain:
     """Prepare the movement through several drawings.
@@ -112,7 +119,7 @@ def chain(
     drawings : iterable of path or Drawing
         SVG files, or drawings already read, at least two. Naming the first one again at the end
         closes the chain.
-    method, quads, folds
+    method, quads, folds, pictures
         As for `shapetween.morph`, for every leg.
     fit : {"view", "geometry", "none"}
         How each drawing is brought into the frame of the first.
@@ -131,7 +138,7 @@ def chain(
     names = tuple(name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):
         different = {_key(source): source for source in sources}
-        drawn = {key: opened(source) for key, source in different.items()}
+        drawn = {key: opened(source, pictures) for key, source in different.items()}
         read = [drawn[_key(source)] for source in sources]
     with observe("fit"):
         framed = [_in_frame(drawing, read[0], fit) for drawing in read]

@@ -71,6 +71,8 @@ class Texture:
 
     Attributes
     ----------
+    name : str
+        What errors call the file.
     root : str
         Attributes of the document's root, as text.
     definitions : str
@@ -83,6 +85,7 @@ class Texture:
         Width and height that percentages are of.
     """
 
+    name: str
     root: str
     definitions: str
     element: str

@@ -36,6 +36,9 @@ __all__ = [
 Option: TypeAlias = Callable[[Callable[..., None]], Callable[..., None]]
 """Adds an option to a command."""
 
+Content: TypeAlias = str | list[str] | Callable[[Path], None]
+"""What is written: the text of a file, those of frames, or what writes a file by itself."""
+
 #: `shapetween.interpolate.METHODS` by name, without importing it.
 METHOD_NAMES = ("projective", "projective-2007", "arap", "arap-2000", "linear")
 
@@ -112,11 +115,11 @@ class Common:
     verbose: bool
 
     def prepare_all(
-        self, drawings: Sequence[Path], out: Path, progress: Progress
+        self, drawings: Sequence[Path], out: Path, progress: Progress, *, pictures: bool = False
     ) -> "Morph | Chain":
         """Check the places to write to, then prepare the movement through two or more drawings."""
         if len(drawings) == 2:
-            return self.prepare(drawings[0], drawings[1], out, progress)
+            return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
         of_a_pair = {"--pin": self.pins, "--match": self.matches, "--mesh": self.mesh}
         for name, value in of_a_pair.items():
             if value:
@@ -127,15 +130,17 @@ class Common:
         self.check_places(drawings, out)
         with progress("import"):
             from shapetween.chains import chain
-        return chain(drawings, observe=progress, **self._for_any_pair())
+        return chain(drawings, pictures=pictures, observe=progress, **self._for_any_pair())
 
-    def prepare(self, a: Path, b: Path, out: Path, progress: Progress) -> "Morph":
+    def prepare(
+        self, a: Path, b: Path, out: Path, progress: Progress, *, pictures: bool = False
+    ) -> "Morph":
         """Check the places to write to, then prepare the movement."""
         settings = self.settings(a, b, out)
         with progress("import"):
             from shapetween.api import morph
         try:
-            return morph(a, b, observe=progress, **settings)
+            return morph(a, b, pictures=pictures, observe=progress, **settings)
         except MeshError as error:
             if self.mesh is None:
                 raise
@@ -164,9 +169,7 @@ class Common:
 
         files.check_outputs([out, *([self.report] if self.report else [])], inputs)
 
-    def finish(
-        self, result: "Morph | Chain", out: Path, content: str | list[str], run: Progress
-    ) -> None:
+    def finish(self, result: "Morph | Chain", out: Path, content: Content, run: Progress) -> None:
         """Write the output, and the report if one is wanted, and say what there is to say."""
         from shapetween import files
 
@@ -179,8 +182,10 @@ class Common:
                 fresh.write_text(json.dumps(report, indent=1) + "\n", "utf-8", newline="\n")
             if isinstance(content, str):
                 files.write_text(out, content)
-            else:
+            elif isinstance(content, list):
                 files.write_frames(out, content)
+            else:
+                content(out)
         run.close()
         if self.quiet:
             return

@@ -5,6 +5,7 @@ from typing import Any
 
 import click
 
+from shapetween.cli.film import PICTURES, moving_pictures, still_pictures
 from shapetween.cli.options import (
     A,
     B,
@@ -15,13 +16,24 @@ from shapetween.cli.options import (
     loop_option,
     out_option,
 )
-from shapetween.cli.values import PATH, Keyframes
+from shapetween.cli.values import PATH, Keyframes, Size
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
 __all__ = ["frames", "mesh", "morph"]
 
 MORE = click.argument("more", type=PATH, nargs=-1, metavar="[C]...")
+SIZE = click.option(
+    "--size",
+    type=Size(),
+    metavar="WIDTH[xHEIGHT]",
+    help="Of frames as pictures, in pixels.  [default: 800 along the longer side]",
+)
+BACKGROUND = click.option(
+    "--background",
+    metavar="COLOR",
+    help="Behind the drawings in pictures.  [default: none, in .mp4 white]",
+)
 
 
 @click.command(
@@ -31,7 +43,11 @@ MORE = click.argument("more", type=PATH, nargs=-1, metavar="[C]...")
 @A
 @B
 @MORE
-@out_option("OUT.svg", "Where to write.  [default: A-to-B.svg]")
+@out_option(
+    "OUT.svg",
+    "Where to write; ending in .webp, .png, .gif or .mp4, as moving pictures, which keep patterns "
+    "and pictures in shapes.  [default: A-to-B.svg]",
+)
 @duration_option("Length of one way, from each drawing to the next.")
 @click.option(
     "--hold",
@@ -50,9 +66,25 @@ MORE = click.argument("more", type=PATH, nargs=-1, metavar="[C]...")
     show_default=True,
     help="How many shapes to write; auto takes as many as smooth movement needs.",
 )
+@click.option(
+    "--fps",
+    type=click.FloatRange(0.01, 240),
+    metavar="N",
+    help="Moving pictures: frames a second.  [default: 30]",
+)
+@SIZE
+@BACKGROUND
 @common
 def morph(
-    a: Path, b: Path, more: tuple[Path, ...], out: Path | None, common: Common, **settings: Any
+    a: Path,
+    b: Path,
+    more: tuple[Path, ...],
+    out: Path | None,
+    common: Common,
+    fps: float | None,
+    size: tuple[int, ...] | None,
+    background: str | None,
+    **settings: Any,
 ) -> None:
     """Write one animated SVG that moves from A to B.
 
@@ -66,8 +98,17 @@ def morph(
     easing_function(settings["easing"])
     drawings = [a, b, *more]
     path = out or Path(f"{_joined(drawings)}.svg")
+    pictures = path.suffix.lower() in PICTURES
+    for name, value in {"--fps": fps, "--size": size, "--background": background}.items():
+        if value is not None and not pictures:
+            raise OptionError(f"{name}: is for moving pictures; expected -o OUT.webp or the like")
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare_all(drawings, path, run)
+        result = common.prepare_all(drawings, path, run, pictures=pictures)
+        if pictures:
+            with run("draw"):
+                written = moving_pictures(result, path, run, fps, size, background, settings)
+            common.finish(result, path, written, run)
+            return
         with run("write"):
             text = result.svg(precision=common.precision, **settings)
         common.finish(result, path, text, run)
@@ -88,6 +129,9 @@ def morph(
     help="How many frames from each drawing to the next, both counted.",
 )
 @easing_option()
+@click.option("--png", is_flag=True, help="Write PNG, which keeps patterns and pictures in shapes.")
+@SIZE
+@BACKGROUND
 @common
 def frames(
     a: Path,
@@ -96,6 +140,9 @@ def frames(
     out: Path | None,
     count: int,
     easing: str,
+    png: bool,
+    size: tuple[int, ...] | None,
+    background: str | None,
     common: Common,
 ) -> None:
     """Write one SVG a frame, the first drawing A and the last drawing B.
@@ -106,10 +153,18 @@ def frames(
     from shapetween.frames import easing_function
 
     easing_function(easing)
+    for name, value in {"--size": size, "--background": background}.items():
+        if value is not None and not png:
+            raise OptionError(f"{name}: is for frames as pictures; expected --png with it")
     drawings = [a, b, *more]
     folder = out or Path(_joined(drawings))
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare_all(drawings, folder, run)
+        result = common.prepare_all(drawings, folder, run, pictures=png)
+        if png:
+            with run("draw"):
+                written = still_pictures(result, run, count, easing, size, background)
+            common.finish(result, folder, written, run)
+            return
         with run("write"):
             from shapetween.svg.sequence import frame_svg
 

@@ -77,7 +77,7 @@ class Fill:
         return light
 
 
-def fill_of(part: Part, fit: Affine, name: str) -> Fill | None:
+def fill_of(part: Part, fit: Affine) -> Fill | None:
     """Prepare what fills a part; None if that is no texture at either end.
 
     Parameters
@@ -85,8 +85,6 @@ def fill_of(part: Part, fit: Affine, name: str) -> Fill | None:
     part : Part
     fit : (2, 3) float64
         From user units to a frame's pixels.
-    name : str
-        What errors call the drawing.
 
     Raises
     ------
@@ -109,7 +107,7 @@ def fill_of(part: Part, fit: Affine, name: str) -> Fill | None:
         # What is nothing at one end shows there what it shows at the other, at no size.
         end = k if k in whole else whole[0]
         larger = float(growth.max() / growth[end])
-        picture, window = _picture(styles[end], curves[end], fit, larger, name)
+        picture, window = _picture(styles[end], curves[end], fit, larger)
         ends.append(mapped(places[end], window)[triangles])
         pictures.append(picture)
     return Fill(path, triangles, (ends[0], ends[1]), (pictures[0], pictures[1]))
@@ -119,9 +117,7 @@ def _areas(places: Points, triangles: Index) -> Floats:
     return np.asarray(np.abs(polygon_area(places[:, triangles])).sum(axis=1))
 
 
-def _picture(
-    style: Style, points: Points, fit: Affine, larger: float, name: str
-) -> tuple[Picture, Affine]:
+def _picture(style: Style, points: Points, fit: Affine, larger: float) -> tuple[Picture, Affine]:
     """What fills a shape at one end, and where that is: from user units to the picture's pixels.
 
     Its pixels are those of the frame, or whole parts of them where the shape grows, so that the
@@ -138,7 +134,7 @@ def _picture(
     window = scale * np.column_stack([fit[:, :2], fit[:, 2] - low])
     if style.texture is not None:
         text = texture_svg(style.texture, window, width, height)
-        return Picture.of(drawn_apart(text, width, height, name)), window
+        return Picture.of(drawn_apart(text, width, height, style.texture.name)), window
     corners = mapped(np.array([[0.0, 0.0], [width, height]]), inverted(window))
     box = Box(*corners[0].tolist(), *(corners[1] - corners[0]).tolist())
     text = texture_svg(plain_texture(style.fill, box), window, width, height)

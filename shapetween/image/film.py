@@ -77,7 +77,6 @@ class Film:
         *,
         size: tuple[int, int],
         background: Colour | None = None,
-        name: str = "drawing",
     ) -> "Film":
         """Draw the textures of all ends.
 
@@ -90,8 +89,6 @@ class Film:
         size : (int, int)
             The movement's box is scaled evenly to fit, and centred.
         background : Colour, optional
-        name : str
-            What errors call the drawings.
 
         Raises
         ------
@@ -107,7 +104,7 @@ class Film:
             {
                 k: fill
                 for k, part in enumerate(movement.parts)
-                if (fill := fill_of(part, fit, name)) is not None
+                if (fill := fill_of(part, fit)) is not None
             }
             for movement in movements
         )

@@ -109,7 +109,7 @@ def plain_texture(paint: Paint, box: Box) -> Texture:
         "height": number(box.height, DECIMALS),
     }
     element = f"<rect {_attributes(place)} {texts[1]}/>"
-    return Texture("", texts[0], element, IDENTITY, (1.0, 1.0))
+    return Texture("", "", texts[0], element, IDENTITY, (1.0, 1.0))
 
 
 def texture_svg(texture: Texture, window: Affine, width: int, height: int) -> str:
@@ -157,7 +157,7 @@ def _texture(
         text = _definitions(document)
     viewport = frame.viewport
     matrix = tuple(frame.matrix.T.ravel().tolist())
-    return Texture(root, text, element, matrix, (viewport.width, viewport.height))
+    return Texture(document.name, root, text, element, matrix, (viewport.width, viewport.height))
 
 
 def _definitions(document: Document) -> str:
