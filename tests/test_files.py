@@ -174,3 +174,24 @@ def test_inputs_and_other_outputs_are_not_overwritten(tmp_path: Path) -> None:
         check_outputs([out, tmp_path / ".." / tmp_path.name / "out.svg"], [a, b])
     with pytest.raises(OptionError, match="there is no folder"):
         check_outputs([tmp_path / "no" / "out.svg"], [a, b])
+
+
+def test_frames_overwrite_no_input(tmp_path: Path) -> None:
+    folder = tmp_path / "frames"
+    write_frames(folder, ["one", "two"])
+    frame, mine = folder / "frame_0001.svg", folder / "mine.svg"
+    mine.write_text("", "utf-8")
+    link, shown = tmp_path / "link.svg", folder / "frame_0002.svg"
+    link.symlink_to(frame)
+    shown.symlink_to(mine)
+    for path in (frame, folder / ".." / "frames" / frame.name, link, shown):
+        with pytest.raises(OptionError, match=r"is an input, and frames .*expected another folder"):
+            check_outputs([folder], [path])
+    check_outputs([folder], [mine, tmp_path / "no" / "frame_0000.svg"])
+    check_outputs([tmp_path / "other"], [frame])
+
+
+def test_names_too_long_are_refused_before_any_work(tmp_path: Path) -> None:
+    for name in ("x" * 300, "x" * 300 + "/out.svg"):
+        with pytest.raises(OptionError, match="cannot be written: file name too long"):
+            check_outputs([tmp_path / name], [])

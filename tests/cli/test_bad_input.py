@@ -74,6 +74,8 @@ def test_drawings_that_cannot_be_used(run: Command, tmp_path: Path, name: str, s
         ("morph a.svg b.svg --duration 0", "--duration"),
         ("morph a.svg b.svg --duration nan", "duration"),
         ("morph a.svg b.svg --duration inf", "duration"),
+        ("morph a.svg b.svg --hold -1", "--hold"),
+        ("morph a.svg b.svg --hold nan", "hold"),
         ("morph a.svg b.svg --precision -1", "--precision"),
         ("frames a.svg b.svg --frames 1", "--frames"),
         # Pins.
@@ -89,6 +91,7 @@ def test_drawings_that_cannot_be_used(run: Command, tmp_path: Path, name: str, s
         ("morph a.svg b.svg -o out.svg --report a.svg", "a.svg: is an input"),
         ("morph a.svg b.svg -o out.svg --report out.svg", "is written twice"),
         ("morph a.svg b.svg -o no/out.svg", "there is no folder"),
+        (f"morph a.svg b.svg -o {'x' * 300}.svg", "file name too long"),
         ("morph a.svg b.svg -o .", "is a folder"),
         ("morph a.svg b.svg -o . --report report.json", "is a folder"),
         ("morph a.svg b.svg -o out.svg --report no/report.json", "there is no folder"),
@@ -152,6 +155,12 @@ def test_a_self_crossing_outline_is_drawn_anew_and_named(run: Command, tmp_path:
     x, y = (float(v) for v in result.err.split("near ")[1].split(";")[0].split(", "))
     assert x == pytest.approx(5, abs=0.5)
     assert y == pytest.approx(5, abs=0.5)
+
+
+def test_frames_do_not_replace_what_they_are_made_of(run: Command) -> None:
+    assert run("frames a.svg b.svg -o made --frames 2").code == 0
+    refused = "frames made/frame_0000.svg b.svg -o made"
+    assert_refused(run, refused, "made/frame_0000.svg: is an input", "expected another folder")
 
 
 @pytest.mark.parametrize("line", ["morph a.svg b.svg -o out.svg", "frames a.svg b.svg -o out"])

@@ -1,0 +1,98 @@
+"""Command lines with more than two drawings, and with rests."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.cli.commands import Command, listing
+
+
+def lengths(text: str) -> set[str]:
+    """Seconds of all animations."""
+    return set(re.findall(r'dur="([^"]*)s"', text))
+
+
+def test_a_chain_is_one_file_named_after_all_of_it(run: Command, tmp_path: Path) -> None:
+    result = run("morph a.svg b.svg a.svg --hold 0.5 --loop repeat")
+    assert (result.code, result.out) == (0, "wrote a-to-b-to-a.svg\n")
+    assert result.made == {"a-to-b-to-a.svg"}
+    text = (tmp_path / "a-to-b-to-a.svg").read_text("utf-8")
+    assert lengths(text) == {"5"}
+    assert 'viewBox="0 0 10 10"' in text
+    assert text.count('attributeName="display"') == 2
+
+
+@pytest.mark.parametrize(
+    ("line", "seconds"),
+    [
+        ("a.svg b.svg --duration 1.5 --hold 0.25", "1.75"),
+        ("a.svg b.svg --duration 1.5 --hold 0.25 --loop alternate", "3.5"),
+        ("a.svg b.svg a.svg --duration 1.5", "3"),
+        # The first drawing by another name is another drawing, and rests too.
+        ("a.svg b.svg c.svg --duration 1 --hold 0.5 --loop repeat", "3.5"),
+        ("a.svg b.svg c.svg --duration 1 --hold 0.5 --loop alternate", "6"),
+    ],
+)
+def test_how_long_it_lasts(run: Command, tmp_path: Path, line: str, seconds: str) -> None:
+    (tmp_path / "c.svg").write_bytes((tmp_path / "a.svg").read_bytes())
+    assert run(f"morph {line} -o out.svg --folds allow").code == 0
+    assert lengths((tmp_path / "out.svg").read_text("utf-8")) == {seconds}
+
+
+def test_no_rest_is_what_it_always_was(run: Command, tmp_path: Path) -> None:
+    run("morph a.svg b.svg -o one.svg --loop alternate")
+    run("morph a.svg b.svg -o two.svg --loop alternate --hold 0")
+    assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "two.svg").read_bytes()
+
+
+def test_frames_of_a_chain(run: Command, tmp_path: Path) -> None:
+    result = run("frames a.svg b.svg a.svg --frames 4 --easing ease")
+    assert result.made == {f"a-to-b-to-a/frame_{k:04}.svg" for k in range(7)}
+    assert run("frames a.svg b.svg -o pair --frames 4 --easing ease").code == 0
+    chain, pair = (listing(tmp_path / name) for name in ("a-to-b-to-a", "pair"))
+    assert {name: chain[name] for name in pair} == pair
+
+
+def test_the_report_of_a_chain(run: Command, tmp_path: Path) -> None:
+    assert run("morph a.svg b.svg a.svg --report report.json").code == 0
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert set(report) == {"version", "method", "legs", "warnings", "seconds"}
+    ends = [(leg["from"], leg["to"]) for leg in report["legs"]]
+    assert ends == [("a.svg", "b.svg"), ("b.svg", "a.svg")]
+    assert all(leg["rings"][0]["quads"] >= 1 for leg in report["legs"])
+
+
+@pytest.mark.parametrize(
+    "option", ["--pin 1,1:2,2", "--match x:y", "--mesh mesh.json"], ids=["pin", "match", "mesh"]
+)
+def test_what_concerns_one_pair_is_refused(run: Command, option: str) -> None:
+    for command in ("morph", "frames"):
+        result = run(f"{command} a.svg b.svg a.svg {option}")
+        assert result.code == 2
+        name = option.split()[0]
+        assert result.err.startswith(f"shapetween: error: {name}: concerns one pair, and here are")
+        assert result.err.count("\n") == 1
+        assert not result.made
+
+
+def test_no_drawing_of_a_chain_is_overwritten(run: Command) -> None:
+    result = run("morph a.svg a.svg b.svg -o b.svg")
+    assert result.code == 2
+    assert "b.svg: is an input" in result.err
+    assert not result.made
+
+
+def test_matches_by_id_are_heard(run: Command) -> None:
+    result = run("morph a.svg b.svg --match tail:fin")
+    assert result.code == 2
+    assert "match: the first drawing has no shape 'tail'" in result.err
+
+
+def test_rests_in_a_batch(run: Command, tmp_path: Path) -> None:
+    (tmp_path / "pairs.csv").write_text("a,b,hold\na.svg,b.svg,0.5\n", "utf-8")
+    assert run("batch pairs.csv -o out -j 1 --loop alternate").code == 0
+    run("morph a.svg b.svg --hold 0.5 --loop alternate")
+    made = (tmp_path / "out/a-to-b.svg").read_bytes()
+    assert made == (tmp_path / "a-to-b.svg").read_bytes()
