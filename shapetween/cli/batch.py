@@ -23,7 +23,7 @@ PATIENCE = 10
 #: Where a scheduler may be. A client that is given anything else waits long, and ends with noise.
 _ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 
-#: Options of `morph` that are not those of a row, or of moving pictures, which batches have none of.
+#: Options of `morph` that are not those of a row, or are for moving pictures; batches write SVG.
 _NOT_A_ROW = frozenset({"out", "mesh", "report", "quiet", "verbose", "fps", "size", "background"})
 _ROW = {
     param.name or "": param
