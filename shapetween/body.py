@@ -11,6 +11,7 @@ import numpy as np
 from shapetween.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.carry import Carrier
 from shapetween.correspond.correspondence import Correspondence
+from shapetween.detail import DetailedOutlines
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.polygon import polygon_area
 from shapetween.matched import MatchedOutlines, Samples
@@ -28,6 +29,9 @@ CHORDS, MOST_POINTS = 8, 8000
 #: Curves of all frames that are held at once; more cost memory and are no quicker.
 POINTS_AT_ONCE = 200_000
 
+#: Curves of all frames past which frames are left out: more take seconds.
+MOST_LOOKED = 1_500_000
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RingMatch:
@@ -39,7 +43,7 @@ class RingMatch:
         Both clockwise as drawn, holes too.
     hole : bool
     matching : Correspondence
-    outlines : MatchedOutlines
+    outlines : MatchedOutlines or DetailedOutlines
     samples : Samples
         Matched points of the rings.
     kept : (n,) intp
@@ -54,11 +58,16 @@ class RingMatch:
     target: Outline
     hole: bool
     matching: Correspondence
-    outlines: MatchedOutlines
+    outlines: MatchedOutlines | DetailedOutlines
     samples: Samples
     kept: Index
     pair: MeshPair | None
     found: str
+
+    @property
+    def coarse(self) -> bool:
+        """Whether the samples are the corners of coarse shapes, and the detail is carried."""
+        return isinstance(self.outlines, DetailedOutlines)
 
 
 def joined_meshes(rings: Sequence[RingMatch]) -> MeshPair:
@@ -118,6 +127,7 @@ class Nodes:
                 ring.samples.w[k],
                 self.ends[0][part],
                 self.ends[1][part],
+                ordered=ring.coarse,
             )
             for ring, k, part in zip(self.rings, self.chosen, self.parts, strict=True)
         )
@@ -140,7 +150,7 @@ class Nodes:
         chords = max(1, min(CHORDS, MOST_POINTS // count))
         sizes = tuple(chords * carrier.count for carrier in self.carriers)
         # Outlines of tens of thousands of curves are looked at less often, and a few at a time.
-        looked = np.arange(0, len(t), 1 + count // MOST_POINTS)
+        looked = np.arange(0, len(t), 1 + len(t) * count // MOST_LOOKED)
         result = np.ones(len(t), dtype=bool)
         for some in np.array_split(looked, 1 + len(looked) * count // POINTS_AT_ONCE):
             drawn = flatten(self.curves(vertices[some], t[some]), chords)
@@ -166,6 +176,8 @@ class Carried:
         What moves the nodes.
     led : float
         Share of the inside that follows a quad.
+    detail : bool
+        Whether all that crosses is fine detail; the coarse shapes do not.
     """
 
     nodes: Nodes
@@ -175,6 +187,7 @@ class Carried:
     mended: bool
     setting: str
     led: float
+    detail: bool = False
 
     @property
     def counts(self) -> tuple[int, ...]:

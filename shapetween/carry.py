@@ -26,6 +26,9 @@ MENDED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
 #: Share of its length that a curve's handles may lie off its chord and the curve count as a line.
 STRAIGHT = 1e-3
 
+#: Curves of all frames that are worked on at once; more cost memory and are no quicker.
+AT_ONCE = 50_000
+
 #: Greatest ratio of stretches of the affine map that offsets follow; past it the fit between two
 #: unlike shapes says more about their outlines' places than about a common deformation.
 MAX_STRETCH = 3.0
@@ -79,14 +82,24 @@ class Carrier:
         Places of the nodes in the common parameter, increasing; each starts a piece.
     source, target : (n, 2) float64
         The nodes at both ends.
+    ordered : bool
+        Whether the pieces of each span are in one order along both its chords, and are to stay so.
+        Then the outline follows a similarity at most, and is squeezed where its chord is.
     """
 
-    def __init__(self, pieces: Pieces, nodes: Floats, source: Points, target: Points) -> None:
+    def __init__(
+        self,
+        pieces: Pieces,
+        nodes: Floats,
+        source: Points,
+        target: Points,
+        *,
+        ordered: bool = False,
+    ) -> None:
         count = len(nodes)
         self._pieces = pieces
         self._span: Index = np.searchsorted(nodes, pieces.w, side="right") - 1
         self._span = np.where(self._span < 0, count - 1, self._span)
-        self._next = (self._span + 1) % count
         begin, end = nodes[self._span], np.roll(nodes, -1)[self._span]
         length = np.where(end > begin, end - begin, end - begin + 1)
         first = pieces.w - begin
@@ -95,22 +108,25 @@ class Carrier:
         last = np.where(np.roll(self._span, -1) == self._span, following, 1.0)
         third = np.linspace(0.0, 1.0, 4)
         self._share = first[:, None] + (last - first)[:, None] * third  # (P, 4)
-        self._chords = (self._chord(source), self._chord(target))
+        self._spans = np.bincount(self._span, minlength=count)
+        self._chords = _chords(source), _chords(target)
+        at = np.zeros(1, dtype=np.intp)
         self._offsets = (
-            pieces.source - self._along(source[None])[0],
-            pieces.target - self._along(target[None])[0],
+            pieces.source - self._along(source[None], at)[0],
+            pieces.target - self._along(target[None], at)[0],
         )
+        self._ordered = ordered
         self._angle, self._stretch = affine_between(source, target)
+        if ordered:
+            self._stretch = np.sqrt(np.linalg.det(self._stretch)) * np.eye(2)
         self._joints = _Joints.of(pieces)
 
-    def _chord(self, nodes: Points) -> Points:
-        return np.asarray(nodes[..., self._next, :] - nodes[..., self._span, :])
-
-    def _along(self, nodes: Points) -> Points:
+    def _along(self, nodes: Points, frames: Index) -> Points:
         """Points of the chords at each control point's share of the span, (F, P, 4, 2)."""
-        share = self._share[..., None]
-        start, end = nodes[:, self._span, None], nodes[:, self._next, None]
-        return np.asarray((1 - share) * start + share * end)
+        start, step = nodes[frames], _chords(nodes[frames])
+        return np.asarray(
+            start[:, self._span, None] + self._share[..., None] * step[:, self._span, None]
+        )
 
     @property
     def count(self) -> int:
@@ -133,27 +149,48 @@ class Carrier:
         angle, stretch = np.reshape(self._angle, (1,)), self._stretch[None]
         general = linear_between(angle, stretch, t)  # (F, 1, 2, 2)
         back = np.linalg.inv(rotations(angle) @ stretch)
-        chord = self._chord(nodes)  # (F, P, 2)
+        chord = _chords(nodes)  # (F, n, 2)
         linears = general, general @ back
         chords = [
             rest @ np.swapaxes(linear[:, 0], -1, -2)
             for linear, rest in zip(linears, self._chords, strict=True)
         ]
         # Offsets grow as the chords do on the whole, beside what the affine map says.
-        sizes = [np.linalg.norm(expected, axis=-1).sum(axis=1) for expected in chords]
-        grown = np.linalg.norm(chord, axis=-1).sum(axis=1) / ((1 - t) * sizes[0] + t * sizes[1])
-        result = self._along(nodes)
-        for linear, expected, offset, weight in zip(
-            linears, chords, self._offsets, ((1 - t) * grown, t * grown), strict=True
+        sizes = [np.linalg.norm(expected, axis=-1) for expected in chords]  # (F, n)
+        length = np.linalg.norm(chord, axis=-1)
+        time = t[:, None]
+        wanted = (1 - time) * sizes[0] + time * sizes[1]
+        grown = (length @ self._spans / (wanted @ self._spans))[:, None]
+        along = np.eye(2)
+        if self._ordered:
+            unit = chord / np.where(length > 0, length, 1.0)[..., None]
+            excess = np.maximum(1 - length / (grown * wanted), 0.0)[..., None, None]
+            along = along - excess * (unit[..., :, None] * unit[..., None, :])
+        moved = []
+        for linear, expected, weight in zip(
+            linears, chords, ((1 - time) * grown, time * grown), strict=True
         ):
-            turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))  # (F, P)
-            local = rotations(turned) @ linear  # (F, P, 2, 2)
-            result += weight[:, None, None, None] * (offset @ np.swapaxes(local, -1, -2))
-        result[:, :, 3] = np.roll(result[:, :, 0], -1, axis=1)  # equal but for rounding
-        self._joints.smooth(result, t)
+            turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))
+            moved.append(along @ (weight[..., None, None] * (rotations(turned) @ linear)))
+        result = np.zeros((len(t), self.count, 4, 2))
+        # So few frames at once that what is on the way needs little memory.
+        for frames in np.array_split(np.arange(len(t)), 1 + len(t) * self.count // AT_ONCE):
+            some = self._along(nodes, frames)
+            for local, offset in zip(moved, self._offsets, strict=True):
+                for axis in (0, 1):
+                    row = local[frames, :, axis][:, self._span, None]  # (f, P, 1, 2)
+                    some[..., axis] += row[..., 0] * offset[..., 0] + row[..., 1] * offset[..., 1]
+            some[:, :, 3] = np.roll(some[:, :, 0], -1, axis=1)  # equal but for rounding
+            self._joints.smooth(some, t[frames])
+            result[frames] = some
         result[t == 0] = self._pieces.source
         result[t == 1] = self._pieces.target
         return result
+
+
+def _chords(nodes: Points) -> Points:
+    """From each node to the next, (..., n, 2)."""
+    return np.asarray(np.roll(nodes, -1, axis=-2) - nodes)
 
 
 class _Joints:
@@ -166,15 +203,20 @@ class _Joints:
 
     @classmethod
     def of(cls, pieces: Pieces) -> "_Joints":
-        kinks, stiff = [], []
+        kinks, stiff, point = [], [], []
         for curves in (pieces.source, pieces.target):
             leaving, reaching = end_tangents(curves)
             following = np.roll(leaving, -1, axis=0)
             kinks.append(_angle(reaching, following))
             stiff.append(_straight(curves))
-        before = np.flatnonzero((np.abs(np.stack(kinks)) < SMOOTH_KINK).all(axis=0))
-        after = (before + 1) % len(pieces.source)
+            point.append((curves == curves[:, :1]).all(axis=(1, 2)))
         line = stiff[0] & stiff[1]
+        # A piece that is a point at one end has no direction there to go on from.
+        blunt = point[0] | point[1]
+        smooth = (np.abs(np.stack(kinks)) < SMOOTH_KINK).all(axis=0)
+        smooth &= ~(line & np.roll(line, -1)) & ~blunt & ~np.roll(blunt, -1)
+        before = np.flatnonzero(smooth)
+        after = (before + 1) % len(pieces.source)
         # A side that is straight at both ends stays so: the handle across the joint does it all.
         free = np.stack([~line[before], ~line[after]]).astype(np.float64)
         shares = free / np.maximum(free.sum(axis=0), 1)

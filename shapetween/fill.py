@@ -69,6 +69,10 @@ class FillSettings:
     used_pins: set[int] = field(default_factory=set)
     used_meshes: set[int] = field(default_factory=set)
 
+    def has_mesh(self, name: str) -> bool:
+        """Whether a mesh was given for the shape of that very name."""
+        return bool(name) and any(name == known for known, _ in self.meshes)
+
     def mesh_for(self, name: str) -> MeshPair | None:
         """The next mesh given for pieces of a shape, in the order they are written in."""
         free = [k for k in range(len(self.meshes)) if k not in self.used_meshes]
@@ -173,17 +177,31 @@ def morph_fill(
         ):
             on = carried[0] if len(carried) == 1 else None
             passengers += [Passenger.of(side[k].outer, side[k].holes, arrives, on) for k in only]
-    crossing = sum(c.crossing for c in carried)
-    if crossing and settings.folds == "prevent":
-        checked = carried[0].checked
-        warnings.append(
-            f"{f'{name}: ' if name else ''}the outline crosses itself at {crossing} of {checked} "
-            "times on the way; pins on the parts that cross may help"
-        )
+    if settings.folds == "prevent":
+        warnings += _of_crossings(carried, f"{name}: " if name else "")
     styles = (first.style, second.style)
     motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
     part = FilledPart(name, styles, tuple(carried), tuple(passengers), specks, motion)
     return part, tuple(warnings)
+
+
+def _of_crossings(bodies: list[Carried], called: str) -> list[str]:
+    """What to say of outlines that cross on the way."""
+    said = []
+    checked = bodies[0].checked if bodies else 0
+    plain = sum(body.crossing for body in bodies if not body.detail)
+    if plain:
+        said.append(
+            f"{called}the outline crosses itself at {plain} of {checked} times on the way; "
+            "pins on the parts that cross may help"
+        )
+    fine = max((body.crossing for body in bodies if body.detail), default=0)
+    if fine:
+        said.append(
+            f"{called}small details of the outline run into each other at {fine} of {checked} "
+            "times on the way; its large parts do not, and both ends are exact"
+        )
+    return said
 
 
 def _whole_motion(bodies: list[Carried]) -> WholeMotion | None:

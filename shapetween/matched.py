@@ -11,7 +11,7 @@ from shapetween.geometry.bezier import end_tangents, sub_curves
 from shapetween.geometry.circlemap import CircleMap, turn, wrapped
 from shapetween.geometry.polygon import cross
 
-__all__ = ["MatchedOutlines", "Pieces", "Samples"]
+__all__ = ["MatchedOutlines", "Pieces", "Samples", "cut_curves"]
 
 #: Share of the length within which a joint of one outline is taken for a joint of the other.
 #: Smaller leaves corners matched beside corners: slivers and bevels; larger joins strangers.
@@ -139,6 +139,11 @@ class MatchedOutlines:
         sharp[: len(held)] = np.inf  # anchors stand first among the joined, and count most
         self._sharpness = sharp[order]
 
+    @property
+    def joints(self) -> Floats:
+        """Parameter and both fractions of every joint of either outline, (3, N), in order."""
+        return self._joints
+
     def points(self, w: Floats) -> tuple[Points, Points]:
         """Matched points of source and target at the parameters (N,)."""
         return (
@@ -184,8 +189,8 @@ class MatchedOutlines:
         keep = ~(same[0] & same[1])
         return Pieces(
             rows[0, keep],
-            _cut(self.source.outline.curves, place_a[:, keep]),
-            _cut(self.target.outline.curves, place_b[:, keep]),
+            cut_curves(self.source.outline.curves, place_a[:, keep]),
+            cut_curves(self.target.outline.curves, place_b[:, keep]),
         )
 
 
@@ -305,7 +310,7 @@ def _places(places: ArcLength, fractions: Floats) -> Floats:
     return np.stack([curve, np.where(late | (t < END_PARAMETER), 0.0, t)])
 
 
-def _cut(curves: Curves, places: Floats) -> Curves:
+def cut_curves(curves: Curves, places: Floats) -> Curves:
     """Parts of a closed run of curves from each place to the next one.
 
     Parameters

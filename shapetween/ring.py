@@ -7,7 +7,10 @@ import numpy as np
 from shapetween.arclength import ArcLength
 from shapetween.arrays import Points
 from shapetween.body import RingMatch
+from shapetween.coarse import coarse
 from shapetween.correspond import Correspondence, correspond
+from shapetween.correspond.register import register
+from shapetween.detail import DetailedOutlines
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.rotation import rotations
 from shapetween.matched import MatchedOutlines
@@ -16,6 +19,7 @@ from shapetween.meshfile import check_mesh
 from shapetween.meshing import mesh_matched
 from shapetween.observe import Observer
 from shapetween.outline import Outline
+from shapetween.plane.check import simple_frames
 
 __all__ = ["match_hole", "match_outer", "next_matches"]
 
@@ -29,6 +33,14 @@ HOLE_SAMPLES = 256
 #: Chords a curve is checked with where a polygon will do.
 CHORDS = 16
 
+#: Curves of one outline from which on both are matched by their coarse shapes. Fewer are drawn
+#: shapes, whose every curve means something.
+MANY_CURVES = 600
+
+#: Corners of a coarse outline at most. More keep more of the shape from folding, and cost time with
+#: their square.
+CORNERS = 120
+
 
 def match_outer(
     source: Outline,
@@ -39,6 +51,7 @@ def match_outer(
     mesh: MeshPair | None,
     upright: bool,
     observe: Observer,
+    corners: int = CORNERS,
 ) -> RingMatch:
     """Match and mesh two outer rings.
 
@@ -57,6 +70,8 @@ def match_outer(
         match better.
     observe : Observer
         Told of every stage.
+    corners : int
+        Corners at most of the coarse shapes that outlines of very many curves are matched by.
 
     Raises
     ------
@@ -65,11 +80,45 @@ def match_outer(
     """
     if mesh is not None:
         return _given_mesh(source, target, mesh, observe)
+    if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
+        found = _by_coarse_shapes(source, target, quads, upright, observe, corners)
+        if found is not None:
+            return found
     with observe("match"):
         matching = correspond(source, target, pins if len(pins) else None)
         if upright:
             matching = _upright(matching)
     return _meshed(source, target, matching, quads, pins, observe)
+
+
+def _by_coarse_shapes(
+    source: Outline,
+    target: Outline,
+    quads: int | None,
+    upright: bool,
+    observe: Observer,
+    corners: int,
+) -> RingMatch | None:
+    """Match and mesh what is left of two outlines without their detail, which is carried.
+
+    None where one is an affine image of the other, or has no simple coarse shape.
+    """
+    with observe("match"):
+        ends = coarse(source, corners), coarse(target, corners)
+        if ends[0] is None or ends[1] is None or register(source, target) is not None:
+            return None
+        matching = correspond(ends[0].polygon, ends[1].polygon)
+        if upright:
+            matching = _upright(matching)
+        outlines = DetailedOutlines(ends[0], ends[1], matching.u, matching.v)
+        samples = outlines.samples()
+        if not simple_frames(np.stack([samples.source, samples.target])).all():
+            return None
+    with observe("mesh"):
+        found = mesh_matched(samples.source, samples.target, samples.joints, quads)
+    return RingMatch(
+        source, target, False, matching, outlines, samples, found.nodes, found.pair, found.level
+    )
 
 
 def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:

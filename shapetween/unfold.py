@@ -21,7 +21,7 @@ from shapetween.interpolate import Tween, tween
 from shapetween.mesh import MeshPair
 from shapetween.nodes import outline_nodes
 from shapetween.plane.check import simple_frames
-from shapetween.plane.ladder import CHECKED_TIMES, settle
+from shapetween.plane.ladder import CHECKED_TIMES, SettledMotion, settle
 from shapetween.plane.mesh import PlaneMesh, plane_mesh
 
 __all__ = ["MOST_NODES", "TOLERANCES", "bare", "unfolded"]
@@ -33,6 +33,9 @@ TOLERANCES = (0.03, 0.012, 0.005)
 #: Nodes of a body past which its plane takes long, and what the first tolerance is then multiplied
 #: by to come near as many.
 MOST_NODES, COARSER = 220, (1.5, 2.5, 4.0)
+
+#: Times at which the whole detail of an outline of thousands of curves is looked at.
+DETAIL_TIMES = 21
 
 #: Stands in for triangles whose own shape cannot be used.
 ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
@@ -59,7 +62,8 @@ def unfolded(
     for found in _settings(tuple(rings), method, tolerances):
         if best is None or found.crossing < best.crossing:
             best = found
-        if not best.crossing:
+        # The bare meshes cannot do better than coarse shapes that do not cross.
+        if not best.crossing or best.detail:
             return best
     loose = bare(rings, method)
     return loose if best is None or loose.crossing < best.crossing else best
@@ -69,7 +73,10 @@ def _nodes(rings: tuple[RingMatch, ...], tolerance: float) -> Nodes:
     return Nodes(
         rings,
         tuple(
-            outline_nodes(
+            # The corners of a coarse shape are as few as they may be already.
+            np.arange(len(ring.samples.w))
+            if ring.coarse
+            else outline_nodes(
                 ring.samples.source,
                 ring.samples.target,
                 ring.kept,
@@ -106,6 +113,9 @@ def _settings(
         except (MeshError, OutlineError):
             continue
         guide, led = _guide(mesh, pair, method)
+        if any(ring.coarse for ring in rings):
+            yield _with_detail(nodes, settle(mesh, None, guide), method, led)
+            return
         settled = settle(mesh, nodes.simple, guide)
         stiffness = settled.stiffness
         setting = (
@@ -122,6 +132,27 @@ def _settings(
             setting,
             led,
         )
+
+
+def _with_detail(nodes: Nodes, settled: SettledMotion, method: str, led: float) -> Carried:
+    """A motion that keeps coarse shapes from crossing, and what their detail does on it."""
+    t = np.linspace(0, 1, DETAIL_TIMES)
+    crossing = int((~nodes.simple(t, settled.motion.vertices(t))[1:-1]).sum())
+    setting = (
+        f"{method} in the plane: coarse shapes, outside {settled.stiffness.outside:g}, "
+        f"length {settled.stiffness.length:g}"
+    )
+    coarse = ((settled.crossing > 0) & (settled.crossing < 1)).any()
+    return Carried(
+        nodes,
+        settled.motion,
+        crossing,
+        DETAIL_TIMES - 2,
+        settled.mended,
+        setting,
+        led,
+        detail=crossing > 0 and not coarse,
+    )
 
 
 def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | None, float]:
