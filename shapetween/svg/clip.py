@@ -7,7 +7,7 @@ becomes what is left of it, its stroke a shape of its own.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
@@ -15,8 +15,13 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from shapetween.drawing import Shape
+from shapetween.geometry.bezier import line_curves
+from shapetween.outline import Outline
+from shapetween.overlay.area import filled_area
+from shapetween.overlay.chords import Chords, chords_of, joined
+from shapetween.overlay.trace import traced
 from shapetween.paint import Style
-from shapetween.svg.area import Chords, filled_area, stroked_area
+from shapetween.svg.area import stroked_area
 from shapetween.svg.document import Document
 from shapetween.svg.figure import rings_of, subpaths_of
 from shapetween.svg.painting import fill_rule
@@ -44,6 +49,20 @@ CLIP_WORK = 100
 MOST_NESTED = 8
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Region:
+    """What clips show, and the chords of all curves that bound it."""
+
+    area: BaseGeometry
+    edges: tuple[Chords, ...]
+
+    def within(self, other: _Region | None) -> _Region:
+        """What both show."""
+        if other is None:
+            return self
+        return _Region(self.area.intersection(other.area), self.edges + other.edges)
+
+
 class Clipper:
     """Applies the clips of one document, each region being built once.
 
@@ -54,9 +73,9 @@ class Clipper:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._regions: dict[object, BaseGeometry | None] = {}
+        self._regions: dict[object, _Region | None] = {}
         # By the ids of the regions, which the dictionary above keeps alive.
-        self._commons: dict[tuple[int, ...], BaseGeometry] = {}
+        self._commons: dict[tuple[int, ...], _Region] = {}
 
     def clipped(self, shape: Shape, clips: Sequence[Clip]) -> list[Shape]:
         """What clips leave of a shape: itself, nothing, its parts.
@@ -71,13 +90,14 @@ class Clipper:
         if region is None:
             return [shape]
         box = self._painted_box(shape)
-        if region.contains(box):
+        if region.area.contains(box):
             return [shape]
-        if not region.intersects(box):
+        if not region.area.intersects(box):
             return []
         stroke = shape.style.stroke
-        chords = Chords(shape.rings)
-        self._document.spend("clip_points", chords.count + CLIP_WORK)
+        chords = chords_of(shape.rings)
+        self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
+        edges = joined([chords, *region.edges])
         layers = []
         if shape.style.fill is not None:
             filled = replace(shape, style=replace(shape.style, stroke=None))
@@ -92,12 +112,13 @@ class Clipper:
             if area is None:
                 self._document.losses.add(LOST_CROSSING)
                 return [shape]
-            left = area.intersection(region)
+            left = area.intersection(region.area)
             whole += area.area
             shown += left.area
             if left.area > LEAST_CUT * area.area:
                 style = replace(part.style, fill_rule="evenodd")
-                parts.append(replace(part, rings=chords.rings(left), style=style))
+                rings = tuple(ring for polygon in traced(left, edges) for ring in polygon)
+                parts.append(replace(part, rings=rings, style=style))
         if shown >= (1 - LEAST_CUT) * whole:
             return [shape]
         if stroke is not None and stroke.dashes:
@@ -118,9 +139,7 @@ class Clipper:
         least, greatest = points.min(axis=0) - margin, points.max(axis=0) + margin
         return shapely.box(*least, *greatest)
 
-    def _common(
-        self, clips: Sequence[Clip], within: tuple[Element, ...] = ()
-    ) -> BaseGeometry | None:
+    def _common(self, clips: Sequence[Clip], within: tuple[Element, ...] = ()) -> _Region | None:
         """What all clips show; None if they hide nothing."""
         import shapely
 
@@ -129,17 +148,22 @@ class Clipper:
             return None
         key = tuple(map(id, regions))
         if key not in self._commons:
-            common = shapely.intersection_all(regions)
+            common = shapely.intersection_all([region.area for region in regions])
             shapely.prepare(common)
-            self._commons[key] = common
+            edges = tuple(chords for region in regions for chords in region.edges)
+            self._commons[key] = _Region(common, edges)
         return self._commons[key]
 
-    def _region(self, clip: Clip, within: tuple[Element, ...]) -> BaseGeometry | None:
+    def _region(self, clip: Clip, within: tuple[Element, ...]) -> _Region | None:
         import shapely
 
         if clip.corners is not None:
             corners = clip.corners.tobytes()
-            return self._regions.setdefault(corners, shapely.Polygon(clip.corners))
+            if corners not in self._regions:
+                ring = Outline(line_curves(clip.corners, np.roll(clip.corners, -1, axis=0)))
+                area = shapely.Polygon(clip.corners)
+                self._regions[corners] = _Region(area, (chords_of([ring]),))
+            return self._regions[corners]
         assert clip.element is not None  # a clip has either
         base = self._base(clip)
         if base is None:
@@ -167,9 +191,7 @@ class Clipper:
         viewport = replace(frame.viewport, width=1.0, height=1.0)
         return replace(frame, matrix=compose(frame.matrix, step), viewport=viewport)
 
-    def _built(
-        self, element: Element, base: Frame, within: tuple[Element, ...]
-    ) -> BaseGeometry | None:
+    def _built(self, element: Element, base: Frame, within: tuple[Element, ...]) -> _Region | None:
         import shapely
 
         if any(local_name(child) == "text" for child in element):
@@ -177,27 +199,30 @@ class Clipper:
             return None
         properties = self._document.cascade.properties(element, {})
         inner = entered(self._document, element, properties, base)
-        areas = [shapely.Polygon()]
+        parts: list[_Region] = []
         for child in element if inner is not None else ():
             if inner is None or local_name(child) not in SHAPES.keys() | {"use"}:
                 continue
             for placed in walk(self._document, child, replace(inner, clips=())):
                 if placed.frame.properties.get("visibility", "visible") != "visible":
                     continue
-                area = self._area(placed)
+                rings = self._rings(placed)
+                if not rings:
+                    continue
+                chords = chords_of(rings)
+                self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
+                rule = fill_rule(placed.frame.properties, "clip-rule")
+                area = filled_area(chords.polylines, rule)
                 if area is None:
                     self._document.losses.add(LOST_CROSSING)
                     return None
                 own = self._common(placed.frame.clips, within)
-                areas.append(area if own is None else area.intersection(own))
-        region = shapely.union_all(areas)
-        outer = self._common(inner.clips if inner is not None else (), within)
-        return region if outer is None else region.intersection(outer)
+                parts.append(_Region(area, (chords,)).within(own))
+        area = shapely.union_all([shapely.Polygon(), *(part.area for part in parts)])
+        region = _Region(area, tuple(chords for part in parts for chords in part.edges))
+        return region.within(self._common(inner.clips if inner is not None else (), within))
 
-    def _area(self, placed: Placed) -> BaseGeometry | None:
-        """What one element of a clip path covers."""
+    def _rings(self, placed: Placed) -> tuple[Outline, ...]:
+        """What one element of a clip path draws."""
         subpaths = subpaths_of(self._document, placed)
-        rings = rings_of(self._document, placed, subpaths, Style())
-        lines = Chords(rings).polylines if rings else []
-        self._document.spend("clip_points", sum(map(len, lines)) + CLIP_WORK)
-        return filled_area(lines, fill_rule(placed.frame.properties, "clip-rule"))
+        return rings_of(self._document, placed, subpaths, Style())

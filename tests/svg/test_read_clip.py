@@ -76,3 +76,26 @@ def test_a_clip_in_units_of_the_box() -> None:
         '<rect x="10" y="20" width="40" height="60" clip-path="url(#c)"/>'
     )
     assert area(read(body)) == pytest.approx(20 * 30)
+
+
+def test_a_round_clip_gives_its_own_curves() -> None:
+    body = (
+        '<clipPath id="r"><circle cx="50" cy="50" r="30"/><rect y="45" width="50" height="10"/>'
+        '</clipPath><rect x="20" y="10" width="80" height="80" clip-path="url(#r)"/>'
+    )
+    (ring,) = read(body).shapes[0].rings
+    # Four quarters; the bar's part within the page is a notch of the disc's left side only.
+    assert len(ring.curves) <= 8
+    assert area(read(body)) == pytest.approx(np.pi * 30**2, rel=3e-3)
+
+
+def test_a_clip_within_a_clip_cuts_curves_by_curves() -> None:
+    body = (
+        '<clipPath id="d"><circle cx="60" cy="50" r="30"/></clipPath>'
+        '<clipPath id="e" clip-path="url(#d)"><circle cx="40" cy="50" r="30"/></clipPath>'
+        '<rect width="100" height="100" clip-path="url(#e)"/>'
+    )
+    (ring,) = read(body).shapes[0].rings
+    assert len(ring.curves) == 4
+    lens = 2 * 30**2 * np.arccos(1 / 3) - 20 / 2 * np.sqrt(4 * 30**2 - 20**2)
+    assert area(read(body)) == pytest.approx(lens, rel=1e-3)
