@@ -14,12 +14,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from shapetween.errors import ShapeError
 
-__all__ = ["Affine", "Curves", "Floats", "Index", "Mask", "Points", "Quads", "frozen", "times"]
+__all__ = [
+    "Affine",
+    "Complex",
+    "Curves",
+    "Floats",
+    "Index",
+    "Mask",
+    "Points",
+    "Quads",
+    "frozen",
+    "times",
+]
 
 Floats = NDArray[np.float64]
 """Real numbers, any shape."""
 Points = NDArray[np.float64]
 """Points, (..., 2)."""
+Complex = NDArray[np.complex128]
+"""Points or vectors of the plane as complex numbers x + iy, any shape."""
 Quads = NDArray[np.float64]
 """Corners of quads, (..., 4, 2)."""
 Curves = NDArray[np.float64]

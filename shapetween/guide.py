@@ -10,18 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Mask, Points, Quads
-from shapetween.geometry.homography import (
-    homogeneous_weights,
-    homography_jacobians,
-    quad_homographies,
-    triangle_affinities,
-)
+from shapetween.arrays import Complex, Floats, Index, Mask, Points, Quads
+from shapetween.geometry.homography import corner_weights
+from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points
 from shapetween.geometry.polygon import corner_sines
-from shapetween.geometry.rotation import linear_between, polar
 from shapetween.interpolate import Tween
 from shapetween.mesh import MeshPair
-from shapetween.plane.jacobians import AREA_EXPONENT
+from shapetween.plane.jacobians import AREA_EXPONENT, gradients, jacobians
 
 __all__ = ["QuadGuide", "usable_quads"]
 
@@ -46,15 +41,11 @@ def usable_quads(pair: MeshPair, tween: Tween) -> Mask:
     Decided once for the whole movement: a quad that stopped leading half way would jolt.
     """
     moving = tween.vertices(np.linspace(0, 1, SHAPE_TIMES))[:, pair.quads]
-    good: Mask = np.asarray((corner_sines(moving) > LEAST_SINE).all(axis=(0, 2)))
-    source = pair.source[pair.quads[good]]
-    for corners in moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)][1:]:
-        weights = homogeneous_weights(quad_homographies(source, corners[good]), source)
-        ratio = weights.max(axis=1) / weights.min(axis=1)
-        held = (weights.min(axis=1) > 0) & (ratio < LARGEST_RATIO)
-        good[np.flatnonzero(good)[~held]] = False
-        source = source[held]
-    return good
+    formed = (corner_sines(moving) > LEAST_SINE).all(axis=(0, 2))
+    looked = moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)][1:]
+    weights = corner_weights(np.broadcast_to(moving[0], looked.shape), looked)
+    least, most = weights.min(axis=-1), weights.max(axis=-1)
+    return np.asarray(formed & ((least > 0) & (most < LARGEST_RATIO * least)).all(axis=0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,7 +64,7 @@ class QuadGuide:
     follows: Mask
     _forth: "_Lead"
     _back: "_Lead"
-    _whole: Floats
+    _whole: LinearMaps
 
     @classmethod
     def of(cls, pair: MeshPair, tween: Tween, source: Points, target: Points) -> "QuadGuide | None":
@@ -90,14 +81,13 @@ class QuadGuide:
         good = pair.quads[usable_quads(pair, tween)]
         if not len(good):
             return None
-        whole = triangle_affinities(source, target)
+        whole = jacobians(gradients(as_complex(source))[0], as_complex(target))
         forth = _Lead.of(good, pair.source, pair.target, source.mean(axis=1), whole)
-        inverse = triangle_affinities(target, source)
-        back = _Lead.of(good, pair.target, pair.source, target.mean(axis=1), inverse)
+        back = _Lead.of(good, pair.target, pair.source, target.mean(axis=1), whole.inverse())
         return cls(tween, forth.sound & back.sound, forth, back, whole)
 
-    def __call__(self, t: Floats, own: Floats) -> Floats:
-        """Wanted Jacobians at the times (F,), (F, T, 2, 2).
+    def __call__(self, t: Floats, own: LinearMaps) -> LinearMaps:
+        """Wanted Jacobians at the times (F,), (F, T).
 
         What the quads ask seen from the start fades into what they ask seen from the end, so that
         backwards in time the same is asked.
@@ -105,22 +95,30 @@ class QuadGuide:
         Parameters
         ----------
         t : (F,) float64
-        own : (F, T, 2, 2) float64
+        own : (F, T) linear maps
             What the triangles would do by themselves; those that are not led keep to it.
         """
-        vertices = self.tween.vertices(t)
-        time = t[:, None, None, None]
-        wanted = (1 - time) * self._forth.jacobians(vertices, t)
-        wanted += time * (self._back.jacobians(vertices, 1 - t) @ self._whole)
-        size = np.sqrt(np.abs(np.linalg.det(wanted)))
-        straight = (1 - t)[:, None] + t[:, None] * np.sqrt(np.linalg.det(self._whole))
-        factor = (straight / np.where(size > 0, size, 1.0)) ** AREA_EXPONENT
-        return np.where(self.follows[:, None, None], factor[..., None, None] * wanted, own)
+        vertices, time = as_complex(self.tween.vertices(t)), t[:, None]
+        forth = self._forth.jacobians(vertices, t)
+        back = self._back.jacobians(vertices, 1 - t).after(self._whole)
+        wanted = LinearMaps(
+            (1 - time) * forth.a + time * back.a, (1 - time) * forth.b + time * back.b
+        )
+        size = np.sqrt(np.abs(wanted.determinants))
+        straight = (1 - time) + time * np.sqrt(self._whole.determinants)
+        wanted = wanted.turned((straight / np.where(size > 0, size, 1.0)) ** AREA_EXPONENT)
+        return LinearMaps(
+            np.where(self.follows, wanted.a, own.a), np.where(self.follows, wanted.b, own.b)
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Lead:
     """What quads ask of triangles, seen from one end of the movement.
+
+    Where a homography is read its Jacobian is, in barycentric coordinates b_k of three corners q_k
+    and with their weights w_k, the sum of w_k (q_k - y) grad(b_k) over w, y the image and w the
+    sum of w_k b_k.
 
     Attributes
     ----------
@@ -130,44 +128,61 @@ class _Lead:
         Their corners at this end.
     leader : (T,) intp
         The quad that leads each triangle.
-    places : (T, 2) float64
-        Where its homography is read.
+    shares : (T, 3) float64
+        Where its homography is read, in barycentric coordinates of its first three corners.
+    slopes : (T, 3) complex128
+        Gradients of these coordinates.
     sound : (T,) bool
         Triangles that end near where their quad takes them.
-    angles, stretches : (T,), (T, 2, 2) float64
-        What they have to make good, taken apart.
+    residual : (T,) linear maps
+        What they have to make good.
     """
 
     quads: Index
     start: Quads
     leader: Index
-    places: Points
+    shares: Floats
+    slopes: Complex
     sound: Mask
-    angles: Floats
-    stretches: Floats
+    residual: LinearMaps
 
     @classmethod
     def of(
-        cls, quads: Index, here: Points, there: Points, centroids: Points, whole: Floats
+        cls, quads: Index, here: Points, there: Points, centroids: Points, whole: LinearMaps
     ) -> "_Lead":
         start = here[quads]
         leader, places = _nearest_quads(centroids, start)
-        end = homography_jacobians(quad_homographies(start, there[quads])[leader], places[:, None])[
-            :, 0
-        ]
-        residual = np.linalg.inv(end) @ whole
-        areas = np.linalg.det(residual)
+        corners = as_complex(start)[:, :3]
+        slopes = gradients(corners)[0][leader]
+        offset = as_complex(places)[:, None] - corners.mean(axis=1)[leader][:, None]
+        shares = 1 / 3 + (slopes.conj() * offset).real
+        moved = as_complex(there)[None]
+        end = _led(quads, start, leader, shares, slopes, moved)[0]
+        residual = end.inverse().after(whole)
+        areas = residual.determinants
         sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
-        angles, stretches = polar(np.where(sound[:, None, None], residual, np.eye(2)))
-        sound &= np.abs(angles) < LARGEST_TURN
-        return cls(quads, start, leader, places, sound, angles, stretches)
+        residual = LinearMaps(np.where(sound, residual.a, 1), np.where(sound, residual.b, 0))
+        sound &= np.abs(residual.angles) < LARGEST_TURN
+        return cls(quads, start, leader, shares, slopes, sound, residual)
 
-    def jacobians(self, vertices: Points, t: Floats) -> Floats:
-        """Jacobians from this end to the vertices (F, V, 2), `t` from this end, (F, T, 2, 2)."""
-        moved = vertices[:, self.quads]
-        matrices = quad_homographies(np.broadcast_to(self.start, moved.shape), moved)
-        led = homography_jacobians(matrices[:, self.leader], self.places[:, None])[:, :, 0]
-        return np.asarray(led @ linear_between(self.angles, self.stretches, t))
+    def jacobians(self, vertices: Complex, t: Floats) -> LinearMaps:
+        """Jacobians from this end to the vertices (F, V), `t` from this end, (F, T)."""
+        led = _led(self.quads, self.start, self.leader, self.shares, self.slopes, vertices)
+        return led.after(self.residual.between(self.residual.angles, t))
+
+
+def _led(
+    quads: Index, start: Quads, leader: Index, shares: Floats, slopes: Complex, vertices: Complex
+) -> LinearMaps:
+    """Jacobians of the quads' homographies to vertices (F, V), where they are read, (F, T)."""
+    moved = vertices[:, quads]
+    ends = as_points(moved)
+    weights = corner_weights(np.broadcast_to(start, ends.shape), ends)[:, leader, :3]
+    corners = moved[:, leader, :3]
+    weighted = weights * shares
+    total = weighted.sum(axis=2, keepdims=True)
+    image = (weighted * corners).sum(axis=2, keepdims=True) / total
+    return jacobians(slopes, weights * (corners - image) / total)
 
 
 def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:

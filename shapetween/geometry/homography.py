@@ -2,7 +2,7 @@
 
 Matrices act on column vectors (x, y, 1); a stack of them has shape (Q, 3, 3).
 
-.. [HZ04] R. Hartley, A. Zisserman, *Multiple View Geometry*, 2nd ed., 2004, algorithm 4.2.
+.. [HZ04] R. Hartley, A. Zisserman, *Multiple View Geometry*, 2nd ed., 2004.
 .. [WKD07] K. H. Wong, P. Kovesi, A. Datta, "Projective Transformations for Image Transition
    Animations", ICIAP 2007.
 """
@@ -10,9 +10,11 @@ Matrices act on column vectors (x, y, 1); a stack of them has shape (Q, 3, 3).
 import numpy as np
 
 from shapetween.arrays import Floats, Points, Quads
+from shapetween.geometry.polygon import cross
 
 __all__ = [
     "apply_homography",
+    "corner_weights",
     "homogeneous_weights",
     "homography_jacobians",
     "quad_homographies",
@@ -21,7 +23,7 @@ __all__ = [
 
 
 def quad_homographies(source: Quads, target: Quads) -> Floats:
-    """Homography that takes each source quad's corners to the target's, by the normalised DLT.
+    """Homography that takes each source quad's corners to the target's.
 
     Parameters
     ----------
@@ -35,35 +37,55 @@ def quad_homographies(source: Quads, target: Quads) -> Floats:
 
     Notes
     -----
-    Both quads are moved to their centroid and scaled to a mean corner distance of sqrt(2) first
-    [HZ04]_; without it the solution of nearly parallel equations is mostly rounding error. In that
-    frame h33 is the weight of the source's centroid, which is not 0 while no corner is mapped
-    past infinity, so it is set to 1 and eight equations are solved for the rest.
+    With b_k the barycentric coordinates of the triangle of the first three corners, the homography
+    is x -> sum_k w_k b_k(x) (q_k, 1), q_k the target's corners and w_k the weights of
+    `corner_weights`: the closed form of the projective frame of four points ([HZ04]_, 2.3). All is
+    measured from the centroid; far from the origin digits would be lost.
     """
-    p, q = _normaliser(source), _normaliser(target)
-    x, y = np.moveaxis(apply_homography(p, source), -1, 0)  # (..., 4)
-    u, v = np.moveaxis(apply_homography(q, target), -1, 0)
-    zero, one = np.zeros_like(x), np.ones_like(x)
-    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y], axis=-1)
-    rows_v = np.stack([zero, zero, zero, x, y, one, -v * x, -v * y], axis=-1)
-    system = np.concatenate([rows_u, rows_v], axis=-2)
-    entries = np.linalg.solve(system, np.concatenate([u, v], axis=-1)[..., None])[..., 0]
-    matrix = np.concatenate([entries, np.ones((*entries.shape[:-1], 1))], axis=-1)
-    matrix = np.linalg.inv(q) @ matrix.reshape(*entries.shape[:-1], 3, 3) @ p
-    centre = np.concatenate([source.mean(axis=-2), np.ones((*source.shape[:-2], 1))], axis=-1)
-    weight = np.einsum("...j,...j->...", matrix[..., 2, :], centre)
-    return np.asarray(matrix / weight[..., None, None])
+    centre = source.mean(axis=-2, keepdims=True)
+    local = source - centre
+    slopes, values = _barycentric(local)
+    rows = np.concatenate([slopes, values[..., None]], axis=-1)  # (..., 3 corners, 3)
+    weighted = corner_weights(source, target)[..., :3, None] * rows
+    corners = np.concatenate([target[..., :3, :], np.ones((*target.shape[:-2], 3, 1))], axis=-1)
+    matrix = np.swapaxes(corners, -1, -2) @ weighted
+    matrix = matrix / matrix[..., 2:, 2:]
+    matrix[..., 2] -= (matrix[..., :2] @ np.swapaxes(centre, -1, -2))[..., 0]
+    return np.asarray(matrix)
 
 
-def _normaliser(points: Points) -> Floats:
-    centre = points.mean(axis=-2)
-    spread = np.linalg.norm(points - centre[..., None, :], axis=-1).mean(axis=-1)
-    scale = np.sqrt(2) / spread
-    matrix = np.zeros((*points.shape[:-2], 3, 3))
-    matrix[..., 0, 0] = matrix[..., 1, 1] = scale
-    matrix[..., :2, 2] = -scale[..., None] * centre
-    matrix[..., 2, 2] = 1.0
-    return matrix
+def corner_weights(source: Quads, target: Quads) -> Floats:
+    """The third coordinate w that homographies give the corners of quads, the last one's 1.
+
+    Parameters
+    ----------
+    source, target : (..., 4, 2) float64
+
+    Returns
+    -------
+    (..., 4) float64
+        All positive if and only if no point of the quad goes past infinity.
+    """
+    shares = [_shares(quads) for quads in (source, target)]
+    ratios = shares[1] / shares[0]
+    return np.concatenate([ratios, np.ones((*ratios.shape[:-1], 1))], axis=-1)
+
+
+def _shares(quads: Quads) -> Floats:
+    """Barycentric coordinates of the fourth corner in the triangle of the others, (..., 3)."""
+    a, b, c = (quads[..., k, :] - quads[..., 3, :] for k in range(3))
+    parts = np.stack([cross(b, c), cross(c, a), cross(a, b)], axis=-1)
+    return np.asarray(parts / parts.sum(axis=-1, keepdims=True))
+
+
+def _barycentric(quads: Quads) -> tuple[Floats, Floats]:
+    """Slopes (..., 3, 2), and values (..., 3) at the origin, of the first corners' coordinates."""
+    a, b, c = (quads[..., k, :] for k in range(3))
+    opposite = np.stack([b - c, c - a, a - b], axis=-2)
+    twice = cross(b - a, c - a)[..., None]
+    slopes = np.stack([opposite[..., 1], -opposite[..., 0]], axis=-1) / twice[..., None]
+    values = np.stack([cross(b, c), cross(c, a), cross(a, b)], axis=-1) / twice
+    return slopes, values
 
 
 def apply_homography(matrix: Floats, points: Points) -> Points:

@@ -11,6 +11,9 @@ from shapetween.arrays import Floats, Index
 
 __all__ = ["coherent_angles", "linear_between", "polar", "rotations"]
 
+#: Radians added to every difference of angles, so that a graph's edge is never 0, which is none.
+NO_EDGE = 1e-6
+
 
 def rotations(angles: Floats) -> Floats:
     """Rotation matrices, (..., 2, 2), of angles from the x axis towards the y axis."""
@@ -60,7 +63,9 @@ def linear_between(angles: Floats, stretches: Floats, t: Floats) -> Floats:
     return rotations(t[:, None] * angles) @ ((1 - time) * np.eye(2) + time * stretches)
 
 
-def coherent_angles(angles: Floats, neighbours: Index, weights: Floats) -> Floats:
+def coherent_angles(
+    angles: Floats, neighbours: Index, weights: Floats, costs: Floats | None = None
+) -> Floats:
     """Add whole turns so that neighbours differ by as little as they can.
 
     Parameters
@@ -70,7 +75,9 @@ def coherent_angles(angles: Floats, neighbours: Index, weights: Floats) -> Float
     neighbours : (E, 2) intp
         Pairs of faces that meet.
     weights : (N,) float64
-        Positive; how much a face counts when the turns of a component are fixed.
+        Not negative; how much a face counts when the turns of a component are fixed.
+    costs : (E,) float64, optional
+        What it costs to go from one to the other, beside the difference of their angles.
 
     Returns
     -------
@@ -83,33 +90,47 @@ def coherent_angles(angles: Floats, neighbours: Index, weights: Floats) -> Float
     Each component is then shifted by whole turns so that its weighted mean lies in (-pi, pi]; the
     half turn itself counts as positive, so that rounding does not choose the way round.
     """
-    turn = 2 * np.pi
-    count = len(angles)
-    result = np.array(angles, dtype=np.float64)
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import (
+        breadth_first_order,
+        connected_components,
+        minimum_spanning_tree,
+    )
+
+    turn, count = 2 * np.pi, len(angles)
     first, second = neighbours.T
-    step = np.remainder(angles[second] - angles[first] + np.pi, turn) - np.pi
-    parent = np.arange(count)
-    # Difference of each face to the root of its tree, kept up to date as trees join (Kruskal).
-    offset = np.zeros(count)
-    members: list[list[int]] = [[i] for i in range(count)]
-    for edge in np.argsort(np.abs(step), kind="stable").tolist():
-        i, j = int(first[edge]), int(second[edge])
-        root, other = int(parent[i]), int(parent[j])
-        if root == other:
-            continue
-        shift = offset[i] + step[edge] - offset[j]
-        if len(members[root]) < len(members[other]):
-            root, other, shift = other, root, -shift
-        moved = members[other]
-        offset[moved] += shift
-        parent[moved] = root
-        members[root] += moved
-        members[other] = []
-    for root, faces in enumerate(members):
-        if not faces:
-            continue
-        result[faces] = angles[root] + offset[faces]
-        mean = np.average(result[faces], weights=weights[faces])
-        # 1e-9 is far above rounding and far below any turn that shows.
-        result[faces] -= turn * np.ceil((mean - np.pi) / turn - 1e-9)
-    return result
+    price = np.abs(_wrapped(angles[second] - angles[first])) + (0.0 if costs is None else costs)
+    # An edge of price 0 would be none.
+    ends = np.minimum(first, second), np.maximum(first, second)
+    graph = coo_array((price + NO_EDGE, ends), shape=(count, count)).tocsr()
+    tree = minimum_spanning_tree(graph).tocoo()
+    members, part = connected_components(tree, directed=False)
+    # One more node joins the trees of all parts to one.
+    heads = np.unique(part, return_index=True)[1]
+    joined = coo_array(
+        (
+            np.ones(tree.nnz + members),
+            (
+                np.concatenate([tree.row, np.full(members, count)]),
+                np.concatenate([tree.col, heads]),
+            ),
+        ),
+        shape=(count + 1, count + 1),
+    )
+    above = breadth_first_order(joined.tocsr(), count, directed=False)[1]
+    above[heads] = heads
+    above = above[:count]
+    # Differences to the face above, summed up to the head by doubling the stride.
+    differ, leap = _wrapped(angles - angles[above]), above
+    while (leap != leap[leap]).any():
+        differ, leap = differ + differ[leap], leap[leap]
+    result = angles + turn * np.round((angles[leap] + differ - angles) / turn)
+    total = np.bincount(part, weights, members)
+    mean = np.bincount(part, weights * result, members) / np.where(total > 0, total, 1.0)
+    # 1e-9 is far above rounding and far below any turn that shows.
+    return np.asarray(result - turn * np.ceil((mean - np.pi) / turn - 1e-9)[part])
+
+
+def _wrapped(angles: Floats) -> Floats:
+    """The same directions in [-pi, pi)."""
+    return np.asarray((angles + np.pi) % (2 * np.pi) - np.pi)

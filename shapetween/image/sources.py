@@ -21,7 +21,7 @@ from shapetween.jsonfile import parse
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.paint import Colour, Style
-from shapetween.plane.motion import PlaneMotion
+from shapetween.plane.keyed import KeyedMotion
 from shapetween.srgb import srgb_to_linear
 
 __all__ = [
@@ -230,7 +230,7 @@ def _piece(body: Carried, method: str, fits: Sequence[Affine], fit: Affine) -> P
     from shapetween.unfold import unfolded
 
     dense = unfolded(body.nodes.rings, method, (NEAR_OUTLINE,))
-    if not isinstance(dense.path, PlaneMotion):
+    if not isinstance(dense.path, KeyedMotion):
         pair = joined_meshes(body.nodes.rings)
         source, target = mapped(pair.source, fits[0]), _back(pair.target, fits[1], fit)
         return Piece(MeshPair(source, target, pair.quads, pair.triangles))
@@ -254,7 +254,7 @@ def _back(points: Points, fit_of_picture: Affine, fit_of_drawing: Affine) -> Poi
 class _Laid:
     """Some vertices of a plane's motion in a picture's pixels."""
 
-    motion: PlaneMotion
+    motion: KeyedMotion
     used: Index
     fit: Affine
 

@@ -17,12 +17,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from shapetween.arrays import Floats, Index, Points, times
+from shapetween.geometry.homography import triangle_affinities
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
 from shapetween.interpolate.faces import both_areas, shared_edges, split_quads
 from shapetween.interpolate.refine import refined
 from shapetween.mesh import MeshPair
-from shapetween.plane.jacobians import gradients, jacobians
+from shapetween.plane.jacobians import gradients
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -63,8 +65,8 @@ class JacobianFit:
 
         self._pair, self._triangles = pair, triangles
         ends = [pair.source[triangles], pair.target[triangles]]
-        (hats_a, _), (hats_b, _) = (gradients(corners) for corners in ends)
-        self.jacobians = jacobians(hats_a, ends[1])
+        hats_a, hats_b = (as_points(gradients(as_complex(corners))[0]) for corners in ends)
+        self.jacobians = triangle_affinities(*ends)
         back = np.swapaxes(np.linalg.inv(self.jacobians), 1, 2)
         pull_a, pull_b = weights[0, :, None, None] * hats_a, weights[1, :, None, None] * hats_b
         self._pulls = pull_a + pull_b @ back

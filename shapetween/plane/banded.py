@@ -7,21 +7,16 @@ its pattern. The pattern is prepared once and filled many times.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import LinAlgError
 from scipy.linalg.lapack import dpbtrf, dpbtrs
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
-from shapetween.arrays import Floats, Index, Mask
+from shapetween.arrays import Complex, Floats, Index, Mask
 
-__all__ = ["BandPattern", "BandSystem", "Complex", "numbered"]
-
-Complex: TypeAlias = NDArray[np.complex128]
-"""Points of the plane as complex numbers, x + iy."""
+__all__ = ["BandPattern", "BandSystem", "factorised", "numbered", "substituted"]
 
 
 def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
@@ -136,7 +131,7 @@ class BandSystem:
             From the elements' parts of r, (F, E, K), to all points, (F, V).
         """
         start, end = self._bands
-        factors = [_factor((1 - s) * start + s * end) for s in t]
+        factors = [factorised((1 - s) * start + s * end) for s in t]
         time = t[:, None, None, None]
         blocks = (1 - time) * self._blocks[0] + time * self._blocks[1]
         held = np.where(self._corners >= 0, points[:, self._corners], 0)
@@ -151,16 +146,27 @@ class BandSystem:
             solved = points.copy()
             for frame, factor in enumerate(factors):
                 two = right[:, 2 * frame : 2 * frame + 2]
-                solution, _ = dpbtrs(factor, two, lower=1)
-                solved[frame, self.free] = np.ascontiguousarray(solution).view(np.complex128)[:, 0]
+                solution = np.ascontiguousarray(substituted(factor, two))
+                solved[frame, self.free] = solution.view(np.complex128)[:, 0]
             return solved
 
         return solve
 
 
-def _factor(band: Floats) -> Floats:
-    """Cholesky factor of a lower band, by LAPACK itself: it takes less than a wrapper's checks."""
+def factorised(band: Floats) -> Floats:
+    """Cholesky factor of a lower band (height, U); LAPACK itself costs less than its wrapper.
+
+    Raises
+    ------
+    LinAlgError
+        If the matrix is not positive definite.
+    """
     factor, failed = dpbtrf(band, lower=1)
     if failed:
         raise LinAlgError(f"not positive definite at unknown {failed}")
     return np.asarray(factor)
+
+
+def substituted(factor: Floats, right: Floats) -> Floats:
+    """Solution for right sides (U, K) by a factor of `factorised`, (U, K)."""
+    return np.asarray(dpbtrs(factor, right, lower=1)[0])

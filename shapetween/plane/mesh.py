@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Mask, Points, frozen
+from shapetween.arrays import Complex, Floats, Index, Mask, Points, frozen
 from shapetween.errors import OutlineError, ShapeError
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.polygon import polygon_area
 from shapetween.plane.layout import FRAME_CORNERS, Layout, ring_edges
 from shapetween.plane.pose import AffinePath, Pose, affine_path
@@ -83,9 +84,23 @@ class PlaneMesh:
         """Vertices of the frame, in order."""
         return np.arange(self.nodes, self.nodes + FRAME_CORNERS)
 
-    def area(self, vertices: Points) -> Floats:
-        """Area within all outlines, holes left out, (...,) for vertices (..., V, 2)."""
-        return np.asarray(sum(polygon_area(vertices[..., ring, :]) for ring in self.rings))
+    def placed(self, posed: Complex, t: Floats) -> Points:
+        """Vertices in user units at the times (F,), (F, V, 2); the mesh's own at 0 and 1.
+
+        Parameters
+        ----------
+        posed : (F, V) complex128
+            Vertices as they move from pose to pose: about the origin, the size left out. Fewer
+            than V are the first ones.
+        t : (F,) float64
+        """
+        time = t[:, None]
+        first, last = self.poses
+        centre = as_complex((1 - time) * first.centre + time * last.centre)
+        placed = as_points(posed * ((1 - time) * first.size + time * last.size) + centre[:, None])
+        count = posed.shape[1]  # at the ends it is there but for rounding
+        placed[t == 0], placed[t == 1] = self.source[:count], self.target[:count]
+        return placed
 
 
 def plane_mesh(

@@ -23,25 +23,19 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Floats, Index, Points, times
-from shapetween.geometry.polygon import cross
-from shapetween.geometry.rotation import rotations
-from shapetween.plane.banded import BandSystem, Complex
-from shapetween.plane.jacobians import (
-    gradients,
-    jacobians,
-    polar_path,
-    spread_angles,
-)
+from shapetween.arrays import Complex, Floats, Index, Points, times
+from shapetween.geometry.linearmaps import LinearMaps, as_complex, squared
+from shapetween.plane.banded import BandSystem
+from shapetween.plane.jacobians import gradients, jacobians, polar_path, spread_angles
 from shapetween.plane.layout import ring_edges
 from shapetween.plane.mesh import PlaneMesh
 from shapetween.plane.triangulate import triangle_edges
 
 __all__ = ["InsideTarget", "PlaneMotion", "Stiffness"]
 
-InsideTarget: TypeAlias = Callable[[Floats, Floats], Floats]
+InsideTarget: TypeAlias = Callable[[Floats, LinearMaps], LinearMaps]
 """Wanted Jacobians of the inside triangles at times (F,), given what they would do by themselves;
-both of shape (F, T_inside, 2, 2), from pose to pose."""
+both of shape (F, T_inside), from pose to pose."""
 
 #: Weight of the linear blend that carries triangles which are turned over at an end. It only has to
 #: keep the system regular.
@@ -59,7 +53,7 @@ LEAST_AREA = 0.25
 #: Laplacian of a triangle's edges, all of weight 1.
 _UNIFORM = 3.0 * np.eye(3) - 1.0
 #: Stands in for triangles whose own shape cannot be used.
-_ANY_TRIANGLE = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+_ANY_TRIANGLE = np.array([0.0, 1.0, 1j])
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,10 +85,10 @@ class PlaneMotion:
 
     mesh: PlaneMesh
     target: InsideTarget | None
-    _ends: tuple[Points, Points]
-    _jacobians: Floats
+    _ends: tuple[Complex, Complex]
+    _jacobians: LinearMaps
     _angles: Floats
-    _pulls: tuple[Floats, Floats]
+    _pulls: tuple[Complex, Complex]
     _edges: "_Edges"
     _system: BandSystem
     _weights: tuple[Floats, Floats]
@@ -108,15 +102,20 @@ class PlaneMotion:
     ) -> "PlaneMotion":
         """Compute all that does not depend on time."""
         stiffness = stiffness or Stiffness()
-        ends = mesh.poses[0].normalise(mesh.source), mesh.poses[1].normalise(mesh.target)
+        ends = (
+            as_complex(mesh.poses[0].normalise(mesh.source)),
+            as_complex(mesh.poses[1].normalise(mesh.target)),
+        )
         corners = [points[mesh.triangles] for points in ends]
         for half in corners:
             half[mesh.turned] = _ANY_TRIANGLE
         (hats_a, areas_a), (hats_b, areas_b) = gradients(corners[0]), gradients(corners[1])
-        whole = jacobians(hats_a, corners[1])
-        whole[mesh.turned] = mesh.body.matrix
+        whole, body = jacobians(hats_a, corners[1]), LinearMaps.of(mesh.body.matrix)
+        whole = LinearMaps(
+            np.where(mesh.turned, body.a, whole.a), np.where(mesh.turned, body.b, whole.b)
+        )
         angles = mesh.body.angle + spread_angles(
-            rotations(np.array(-mesh.body.angle)) @ whole,
+            whole.turned(np.exp(-1j * np.asarray(mesh.body.angle))).angles,
             mesh.triangles,
             areas_a + areas_b,
             mesh.inside,
@@ -129,8 +128,7 @@ class PlaneMotion:
         outer = stiffness.outside * np.minimum(1, usual / sizes)
         weights = np.where(mesh.inside, 1.0, outer) * ~mesh.turned
         weights_a, weights_b = weights * areas_a, weights * areas_b
-        pull_a = weights_a[:, None, None] * hats_a
-        pull_b = weights_b[:, None, None] * hats_b
+        pull_a, pull_b = weights_a[:, None] * hats_a, weights_b[:, None] * hats_b
         blend = BLEND_WEIGHT * mesh.turned[:, None, None] * _UNIFORM
         edges = _Edges.of(mesh, ends, angles, stiffness.length)
         fixed = np.zeros(len(mesh.source), dtype=bool)
@@ -138,27 +136,31 @@ class PlaneMotion:
         system = BandSystem.of(
             np.concatenate([mesh.triangles, edges.elements]),
             fixed,
-            np.concatenate([pull_a @ np.swapaxes(hats_a, 1, 2) + blend, edges.blocks]),
-            np.concatenate([pull_b @ np.swapaxes(hats_b, 1, 2) + blend, edges.blocks]),
+            np.concatenate([_products(pull_a, hats_a) + blend, edges.blocks]),
+            np.concatenate([_products(pull_b, hats_b) + blend, edges.blocks]),
         )
-        pulls = pull_a, pull_b @ np.swapaxes(np.linalg.inv(whole), 1, 2)
+        pulls = pull_a, whole.inverse()[:, None](pull_b)
         return cls(mesh, target, ends, whole, angles, pulls, edges, system, (weights_a, weights_b))
 
     def vertices(self, t: ArrayLike) -> Points:
         """Vertices at the times (F,), in user units, (F, V, 2); the mesh's own at 0 and 1."""
-        mesh, t = self.mesh, times(t)
-        time, body = t[:, None], mesh.body.at(t)
-        source, target = _complex(self._ends[0]), _complex(self._ends[1])
+        at = times(t)
+        return self.mesh.placed(self.posed(at), at)
+
+    def posed(self, t: Floats) -> Complex:
+        """Vertices at the times (F,), from pose to pose, (F, V)."""
+        mesh, time, body = self.mesh, t[:, None], self.mesh.body.at(t)
+        source, target = self._ends
         linear = (1 - time) * source + time * target
         at = linear.copy()
-        at[:, mesh.frame] = _complex(self._ends[0][mesh.frame] @ np.swapaxes(body, 1, 2))
+        at[:, mesh.frame] = body[:, None](source[mesh.frame])
         solve = self._system.solver(t, at)
         wanted = self._wanted(t)
-        pulls = (1 - t)[:, None, None, None] * self._pulls[0]
-        pulls += t[:, None, None, None] * self._pulls[1]
+        pulls = time[..., None] * (self._pulls[1] - self._pulls[0]) + self._pulls[0]
         # What a triangle adds to the right side if its rotation stays as wanted; any other one
         # turns this, and the sum over its corners of x times the conjugate tells which fits.
-        forces = _complex(pulls @ np.swapaxes(wanted, 2, 3))
+        forces = wanted[..., None](pulls)
+        against = forces.conj()
         blend = (BLEND_WEIGHT * linear[:, mesh.triangles[mesh.turned]]) @ _UNIFORM
         prior = PRIOR * self._norms(wanted, t)
         lengths, areas = self._edges.lengths(body, t), self._areas(body, t)
@@ -167,42 +169,35 @@ class PlaneMotion:
         grown, edges = np.ones(len(t)), wanted_edges
         for step in range(1 + ROUNDS):
             if step:
-                turns = _unit(
-                    np.einsum("ftk,ftk->ft", at[:, mesh.triangles], forces.conj()) + prior
-                )
-                real = np.stack([at.real, at.imag], axis=-1)
-                grown = grown * np.sqrt(areas / np.maximum(mesh.area(real), LEAST_AREA * areas))
-                turns = turns * np.where(mesh.inside, grown[:, None], 1)
+                fitting = (at[:, mesh.triangles] * against).sum(axis=2)
+                area = np.maximum(self._edges.area(at), LEAST_AREA * areas)
+                grown = grown * np.sqrt(areas / area)
+                turns = _unit(fitting + prior) * np.where(mesh.inside, grown[:, None], 1)
                 edges = lengths * _unit(self._edges.between(at) + EDGE_PRIOR * wanted_edges)
             parts = turns[..., None] * forces
             parts[:, mesh.turned] = blend
             at = solve(np.concatenate([parts, self._edges.parts(edges)], axis=1))
-        result = np.stack([at.real, at.imag], axis=-1)
-        sizes, centres = zip(*((pose.size, pose.centre) for pose in mesh.poses), strict=True)
-        result *= ((1 - t) * sizes[0] + t * sizes[1])[:, None, None]
-        result += ((1 - time) * centres[0] + time * centres[1])[:, None]
-        result[t == 0], result[t == 1] = mesh.source, mesh.target  # so they are, but for rounding
-        return result
+        return at
 
-    def _norms(self, wanted: Floats, t: Floats) -> Floats:
+    def _norms(self, wanted: LinearMaps, t: Floats) -> Floats:
         """What the energy of each triangle would be if nothing moved, (F, T)."""
-        at_source = (wanted**2).sum((2, 3))
-        at_target = ((wanted @ np.linalg.inv(self._jacobians)) ** 2).sum((2, 3))
+        at_target = wanted.after(self._jacobians.inverse()).squares
         time = t[:, None]
         from_source, from_target = self._weights
-        return np.asarray((1 - time) * from_source * at_source + time * from_target * at_target)
+        return (1 - time) * from_source * wanted.squares + time * from_target * at_target
 
-    def _areas(self, body: Floats, t: Floats) -> Floats:
+    def _areas(self, body: LinearMaps, t: Floats) -> Floats:
         """Wanted area of all outlines, (F,): its root goes straight, but for the body's motion."""
         ratio = 1 / np.linalg.det(self.mesh.body.matrix)
-        return np.asarray(np.linalg.det(body) * ((1 - t) + t * np.sqrt(ratio)) ** 2)
+        return np.asarray(body.determinants * ((1 - t) + t * np.sqrt(ratio)) ** 2)
 
-    def _wanted(self, t: Floats) -> Floats:
-        """Wanted Jacobians of all triangles, from pose to pose, (F, T, 2, 2)."""
+    def _wanted(self, t: Floats) -> LinearMaps:
+        """Wanted Jacobians of all triangles, from pose to pose, (F, T)."""
         wanted = polar_path(self._jacobians, self._angles, t)
         if self.target is not None:
             inside = self.mesh.inside
-            wanted[:, inside] = self.target(t, wanted[:, inside])
+            led = self.target(t, wanted[:, inside])
+            wanted.a[:, inside], wanted.b[:, inside] = led.a, led.b
         return wanted
 
 
@@ -215,27 +210,27 @@ class _Edges:
     elements : (N, 3) intp
         The two ends, and -1.
     blocks : (N, 3, 3) float64
-    start, end : (N, 2) float64
+    start, end : (N,) complex128
         The edges as vectors in both poses.
     beside : (N,) intp
         The inside triangle beside each.
     angles : (N,) float64
         Where that triangle is turned over, the angle each edge turns by; else not a number.
-    body : (2, 2) float64
+    body : () linear map
         Where the motion of the whole ends.
     """
 
     elements: Index
     blocks: Floats
-    start: Floats
-    end: Floats
+    start: Complex
+    end: Complex
     beside: Index
     angles: Floats
-    body: Floats
+    body: LinearMaps
 
     @classmethod
     def of(
-        cls, mesh: PlaneMesh, ends: tuple[Points, Points], angles: Floats, weight: float
+        cls, mesh: PlaneMesh, ends: tuple[Complex, Complex], angles: Floats, weight: float
     ) -> "_Edges":
         """Edges of a mesh's rings, all of one weight, given the triangles' angles (T,)."""
         edges = ring_edges(mesh.rings)
@@ -257,31 +252,32 @@ class _Edges:
             end,
             beside,
             np.where(mesh.turned[beside], _edge_angles(start, end, near), np.nan),
-            mesh.body.matrix,
+            LinearMaps.of(mesh.body.matrix),
         )
 
     def between(self, points: Complex) -> Complex:
         """The edges between moving points (F, V), (F, N)."""
         return points[:, self.elements[:, 1]] - points[:, self.elements[:, 0]]
 
-    def directions(self, wanted: Floats, t: Floats) -> Complex:
-        """The edges as the wanted Jacobians (F, T, 2, 2) beside them turn them, (F, N)."""
-        by_angle = np.exp(1j * t[:, None] * np.nan_to_num(self.angles)) * _complex(self.start)
-        by_jacobian = _complex((wanted[:, self.beside] @ self.start[..., None])[..., 0])
-        return np.where(np.isnan(self.angles), by_jacobian, by_angle)
+    def area(self, points: Complex) -> Floats:
+        """Area within all outlines, holes left out, (F,) for points (F, V)."""
+        first, second = points[:, self.elements[:, 0]], points[:, self.elements[:, 1]]
+        return np.asarray((first.conj() * second).imag.sum(axis=1) / 2)
 
-    def lengths(self, whole: Floats, t: Floats) -> Floats:
+    def directions(self, wanted: LinearMaps, t: Floats) -> Complex:
+        """The edges as the wanted Jacobians (F, T) beside them turn them, (F, N)."""
+        by_angle = np.exp(1j * t[:, None] * np.nan_to_num(self.angles)) * self.start
+        return np.where(np.isnan(self.angles), wanted[:, self.beside](self.start), by_angle)
+
+    def lengths(self, whole: LinearMaps, t: Floats) -> Floats:
         """Wanted lengths (F, N): straight between the ends, but for the motion of the whole.
 
-        Source and target edge each go the way of the whole, (F, 2, 2), and the two lengths are
+        Source and target edge each go the way of the whole, (F,), and the two lengths are
         blended, so that affine images keep to it.
         """
-        back = np.linalg.inv(self.body)
-        forth = np.linalg.norm(self.start @ np.swapaxes(whole, 1, 2), axis=2)
-        return np.asarray(
-            (1 - t)[:, None] * forth
-            + t[:, None] * np.linalg.norm(self.end @ np.swapaxes(whole @ back, 1, 2), axis=2)
-        )
+        forth = np.abs(whole[:, None](self.start))
+        back = np.abs(whole[:, None](self.body.inverse()(self.end)))
+        return np.asarray((1 - t)[:, None] * forth + t[:, None] * back)
 
     def parts(self, wanted: Complex) -> Complex:
         """What wanted edges (F, N) add to the right side, (F, N, 3)."""
@@ -289,18 +285,18 @@ class _Edges:
         return np.stack([-pull, pull, np.zeros_like(pull)], axis=2)
 
 
-def _complex(points: Points) -> Complex:
-    """Points (..., 2) as complex numbers, (...,)."""
-    return np.ascontiguousarray(points).view(np.complex128)[..., 0]
+def _products(left: Complex, right: Complex) -> Floats:
+    """Products of the corners' vectors, (T, 3, 3) of (T, 3) and (T, 3)."""
+    return np.asarray((left[:, :, None] * right.conj()[:, None]).real)
 
 
 def _unit(numbers: Complex) -> Complex:
     """Numbers of absolute value 1, or 0, with the same direction."""
-    size = np.abs(numbers)
+    size = np.sqrt(squared(numbers))
     return np.asarray(numbers / np.where(size > 0, size, 1))
 
 
-def _edge_angles(start: Floats, end: Floats, near: Floats) -> Floats:
+def _edge_angles(start: Complex, end: Complex, near: Floats) -> Floats:
     """Angles by which edges turn, nearest to given ones, (N,)."""
-    angles = np.arctan2(cross(start, end), (start * end).sum(axis=1))
+    angles = np.angle(end * start.conj())
     return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))

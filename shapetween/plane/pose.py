@@ -10,8 +10,9 @@ import numpy as np
 
 from shapetween.arrays import Floats, Points
 from shapetween.errors import OutlineError
+from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.geometry.rotation import rotations
-from shapetween.plane.jacobians import polar_angles, polar_path
+from shapetween.plane.jacobians import polar_path
 
 __all__ = ["AffinePath", "Pose", "affine_path"]
 
@@ -75,9 +76,9 @@ class AffinePath:
     matrix: Floats
     angle: float
 
-    def at(self, t: Floats) -> Floats:
-        """Matrices at the times (F,), shape (F, 2, 2)."""
-        return np.asarray(polar_path(self.matrix[None], np.array([self.angle]), t)[:, 0])
+    def at(self, t: Floats) -> LinearMaps:
+        """Linear maps at the times (F,)."""
+        return polar_path(LinearMaps.of(self.matrix), np.asarray(self.angle), t)
 
     def reversed(self) -> "AffinePath":
         """The same path backwards, as seen from its end."""
@@ -99,7 +100,7 @@ def affine_path(source: Points, target: Points) -> AffinePath:
         if they are far from it, a blend in between.
     """
     moment = target.T @ source
-    turn = rotations(polar_angles(moment))
+    turn = rotations(LinearMaps.of(moment).angles)
     similarity = turn * np.sqrt((target**2).sum() / (source**2).sum())
     affine = np.asarray(np.linalg.lstsq(source, target, rcond=None)[0].T, dtype=np.float64)
     residual = np.sqrt(((source @ affine.T - target) ** 2).sum(axis=1).mean())
@@ -108,5 +109,5 @@ def affine_path(source: Points, target: Points) -> AffinePath:
     matrix = affine + share * (similarity - affine)
     if np.linalg.det(affine) <= 0 or np.linalg.det(matrix) <= 0:
         matrix = similarity
-    angle = float(polar_angles(matrix))
+    angle = float(LinearMaps.of(matrix).angles)
     return AffinePath(matrix, angle + 2 * np.pi * (angle < HALF_TURN_TIE - np.pi))

@@ -8,12 +8,14 @@ indices into the points and run clockwise as drawn, so that their signed area is
 """
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from shapetween.arrays import Index, Mask, Points
 from shapetween.errors import MeshError
+from shapetween.geometry.linearmaps import as_complex
+from shapetween.geometry.polygon import polygon_area
 
 __all__ = ["constrained_delaunay", "split_edges", "triangle_edges"]
 
@@ -44,22 +46,31 @@ def constrained_delaunay(points: Points, edges: Index) -> Index:
     MeshError
         If the points lie on a line, or the edges cross.
     """
-    from scipy.spatial import Delaunay, QhullError
-
-    try:
-        triangles = Delaunay(points).simplices.astype(np.intp)
-    except QhullError as error:
-        raise MeshError("the points to triangulate lie on a line") from error
-    a, b, c = np.moveaxis(points[triangles], 1, 0)
-    turned = (b - a)[:, 0] * (c - a)[:, 1] < (b - a)[:, 1] * (c - a)[:, 0]
-    triangles[turned] = triangles[turned][:, ::-1]
+    triangles = _delaunay(points)
     halves = _Halves(points, triangles)
+    flat = triangles[polygon_area(points[triangles]) <= halves.least]
+    halves.make_delaunay(map(_undirected, triangle_edges(flat)[0].tolist()), set())
     wanted = [(int(i), int(j)) for i, j in edges]
-    fixed = {(min(edge), max(edge)) for edge in wanted}
+    fixed = {_undirected(edge) for edge in wanted}
     for edge in wanted:
         if edge not in halves.apex and edge[::-1] not in halves.apex:
             halves.make_delaunay(halves.insert(edge, fixed), fixed)
     return halves.triangles()
+
+
+def _delaunay(points: Points) -> Index:
+    """Delaunay triangles of points in the plane, (T, 3); of points in line, some without area."""
+    import shapely
+
+    found = shapely.get_coordinates(shapely.delaunay_triangles(shapely.multipoints(points)))
+    if not len(found):
+        raise MeshError("the points to triangulate lie on a line")
+    known = as_complex(points)
+    order = np.argsort(known)
+    corners = order[np.searchsorted(known[order], as_complex(found))]
+    triangles = corners.reshape(-1, 4)[:, :3]  # a ring's last point is its first
+    # All run the same way round, those without an area too.
+    return triangles if polygon_area(points[triangles]).sum() > 0 else triangles[:, ::-1]
 
 
 def triangle_edges(triangles: Index) -> tuple[Index, Index]:
@@ -77,15 +88,16 @@ def triangle_edges(triangles: Index) -> tuple[Index, Index]:
     sides : (E, 2) intp
         The triangles beside each edge; the second is -1 on the border.
     """
-    half = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    owner = np.repeat(np.arange(len(triangles)), 3)
-    edges, which = np.unique(np.sort(half, axis=1), axis=0, return_inverse=True)
-    order = np.argsort(which.ravel(), kind="stable")
-    which = which.ravel()[order]
-    first = np.r_[True, which[1:] != which[:-1]]
+    low, high = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)]), axis=0)
+    count = int(triangles.max(initial=-1)) + 1
+    codes = (low * count + high).ravel()
+    order = np.argsort(codes, kind="stable")
+    codes = codes[order]
+    first = np.append(True, codes[1:] != codes[:-1])[: len(codes)]
+    edges = np.stack(np.divmod(codes[first], max(count, 1)), axis=1)
     sides = np.full((len(edges), 2), -1, dtype=np.intp)
-    sides[which[first], 0] = owner[order][first]
-    sides[which[~first], 1] = owner[order][~first]
+    sides[:, 0] = order[first] // 3
+    sides[(np.cumsum(first) - 1)[~first], 1] = order[~first] // 3
     return edges, sides
 
 
@@ -109,45 +121,50 @@ def split_edges(triangles: Index, edges: Index, marked: Mask, first: int) -> tup
     parent : (T',) intp
         The old triangle each lies in.
     """
-    middle = {(i, j): first + n for n, (i, j) in enumerate(edges[marked].tolist())}
-    split: list[tuple[int, int, int]] = []
-    parent: list[int] = []
-    for index, (i, j, k) in enumerate(triangles.tolist()):
-        corners = (i, j, k)
-        mids = [middle.get((min(p, q), max(p, q))) for p, q in ((i, j), (j, k), (k, i))]
-        count = 3 - mids.count(None)
-        if count == 1:
-            turn = next(n for n in range(3) if mids[n] is not None)
-        elif count == 2:
-            turn = (next(n for n in range(3) if mids[n] is None) + 1) % 3
-        else:
-            turn = 0
-        a, b, c = (corners[(turn + n) % 3] for n in range(3))
-        ab, bc, ca = (mids[(turn + n) % 3] for n in range(3))
-        pieces = [(a, b, c)]
-        if ab is not None:
-            pieces = [(a, ab, c), (ab, b, c)]
-            if bc is not None:
-                pieces = [(a, ab, c), (ab, bc, c), (ab, b, bc)]
-                if ca is not None:
-                    pieces = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-        split += pieces
-        parent += [index] * len(pieces)
-    return np.array(split, dtype=np.intp), np.array(parent, dtype=np.intp)
+    ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1), axis=-1)
+    codes, wanted = (e @ [first, 1] for e in (edges[marked], ends))
+    place = np.searchsorted(codes, wanted)
+    split = np.append(codes, -1)[place] == wanted  # (T, 3): which sides have a new vertex
+    number = split.sum(axis=1)
+    # Turned so that split sides come first: a lone one, and two in a row.
+    lead = np.where(number == 2, (~split).argmax(axis=1) + 1, split.argmax(axis=1))
+    turn = (lead[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(triangles, turn, axis=1).T
+    ab, bc, ca = first + np.take_along_axis(place, turn, axis=1).T
+    pieces = np.full((len(triangles), 4, 3), -1, dtype=np.intp)
+    for count, parts in enumerate(
+        (
+            [(a, b, c)],
+            [(a, ab, c), (ab, b, c)],
+            [(a, ab, c), (ab, bc, c), (ab, b, bc)],
+            [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)],
+        )
+    ):
+        some = number == count
+        pieces[some, : len(parts)] = np.moveaxis(np.array(parts), 2, 0)[some]
+    parent = np.repeat(np.arange(len(triangles)), number + 1)
+    return pieces[pieces[:, :, 0] >= 0], parent
+
+
+def _undirected(edge: Sequence[int]) -> Edge:
+    """The smaller end first."""
+    return min(edge), max(edge)
 
 
 class _Halves:
-    """Triangles as directed edges, each with the corner opposite."""
+    """Triangles, clockwise as drawn, as directed edges, each with the corner opposite."""
 
     def __init__(self, points: Points, triangles: Index) -> None:
         self.points: list[list[float]] = points.tolist()
         self.least = ROUNDING * float(np.abs(points).max()) ** 2
         self.apex: dict[Edge, int] = {}
+        self.spoke: dict[int, int] = {}  # of each point, one that an edge leads to
         for a, b, c in triangles.tolist():
             self._add(a, b, c)
 
     def _add(self, a: int, b: int, c: int) -> None:
         self.apex[a, b], self.apex[b, c], self.apex[c, a] = c, a, b
+        self.spoke[a], self.spoke[b], self.spoke[c] = b, c, a
 
     def triangles(self) -> Index:
         """Triangles, each once, in ascending order of its least corner."""
@@ -171,6 +188,39 @@ class _Halves:
         low, high = sorted((self.turn(a, b, c), self.turn(a, b, d)))
         return low < -self.least and high > self.least
 
+    def crossed(self, edge: Edge) -> list[Edge]:
+        """Edges that cross one that is not there, in order along it."""
+        a, b = edge
+        facing = [side for side in self._around(a) if self._opens(edge, side)]
+        found = []
+        while facing:
+            p, q = facing[0]
+            found.append(_undirected((p, q)))
+            apex = self.apex[q, p]
+            if apex == b:
+                return found
+            facing = [side for side in ((p, apex), (apex, q)) if self._opens(edge, side)]
+        raise MeshError("an outline runs through one of its own nodes")
+
+    def _opens(self, edge: Edge, side: Edge) -> bool:
+        """Whether an edge leaves through a side that has its start to the left."""
+        (a, b), (p, q) = edge, side
+        return self.turn(a, b, p) < -self.least and self.turn(a, b, q) > self.least
+
+    def _around(self, a: int) -> Iterator[Edge]:
+        """Sides opposite to a point, in the triangles about it."""
+        for turn in (0, 1):  # one way round, and from a border the other
+            first = other = self.spoke[a]
+            while True:
+                half = (a, other) if turn == 0 else (other, a)
+                apex = self.apex.get(half)
+                if apex is None:
+                    break
+                yield (other, apex) if turn == 0 else (apex, other)
+                other = apex
+                if other == first:
+                    return
+
     def flip(self, edge: Edge) -> Edge | None:
         """Replace an edge by the other diagonal of its quad, or None if that is not convex."""
         (a, b), c = edge, self.apex[edge]
@@ -180,11 +230,11 @@ class _Halves:
         del self.apex[a, b], self.apex[b, a]
         self._add(a, d, c)
         self._add(d, b, c)
-        return (min(c, d), max(c, d))
+        return _undirected((c, d))
 
     def insert(self, edge: Edge, fixed: set[Edge]) -> list[Edge]:
         """Flip edges, but no fixed one, until `edge` is there; returns the new edges."""
-        crossing = deque(h for h in self.apex if h[0] < h[1] and self.crosses(edge, h))
+        crossing = deque(self.crossed(edge))
         if not fixed.isdisjoint(crossing):
             raise MeshError("the edges of an outline cross each other")
         new: list[Edge] = []
@@ -216,7 +266,7 @@ class _Halves:
                 continue
             c, d = self.apex[a, b], self.apex[b, a]
             if self._in_circle(a, b, c, d) and self.flip((a, b)):
-                queue += [(min(e), max(e)) for e in ((a, c), (c, b), (b, d), (d, a))]
+                queue += map(_undirected, ((a, c), (c, b), (b, d), (d, a)))
 
     def _in_circle(self, a: int, b: int, c: int, d: int) -> bool:
         """Whether `d` lies within the circle through a triangle, by more than rounding."""

@@ -18,11 +18,11 @@ the worst determinant down.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import LinAlgError, solveh_banded
+from numpy.linalg import LinAlgError
 
-from shapetween.arrays import Floats, Index, Mask, Points
-from shapetween.geometry.rotation import rotations
-from shapetween.plane.banded import BandPattern, numbered
+from shapetween.arrays import Complex, Floats, Index, Mask, Points
+from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points, squared
+from shapetween.plane.banded import BandPattern, factorised, numbered, substituted
 from shapetween.plane.jacobians import gradients, jacobians
 
 __all__ = ["Untangler"]
@@ -59,7 +59,7 @@ class Untangler:
     triangles : (T, 3) intp
     free : (U,) intp
         Vertices to place, in the order of the unknowns.
-    hats : (T, 3, 2) float64
+    hats : (T, 3) complex128
         Gradients on the rest shapes.
     areas : (T,) float64
         Areas of the rest shapes.
@@ -67,20 +67,23 @@ class Untangler:
 
     triangles: Index
     free: Index
-    hats: Floats
+    hats: Complex
     areas: Floats
+    _weights: Floats
     _single: BandPattern
     _double: BandPattern
 
     @classmethod
     def of(cls, rest: Points, triangles: Index, fixed: Mask) -> "Untangler":
         """Prepare for rest positions (V, 2), all triangles positive, and fixed vertices (V,)."""
-        hats, areas = gradients(rest[triangles])
+        hats, areas = gradients(as_complex(rest)[triangles])
+        # Small triangles matter more than their area, or they are crushed first.
+        root = np.sqrt(areas)
         elements, free = numbered(triangles, fixed)
         pairs = 2 * elements[:, :, None] + np.arange(2)
         pairs = np.where(elements[:, :, None] >= 0, pairs, -1).reshape(-1, 6)
         single, double = BandPattern.of(elements, len(free)), BandPattern.of(pairs, 2 * len(free))
-        return cls(triangles, free, hats, areas, single, double)
+        return cls(triangles, free, hats, areas, root / root.sum(), single, double)
 
     def harmonic(self, points: Points) -> Points:
         """Place the free vertices harmonically on the rest shape; affine maps come out exactly.
@@ -90,17 +93,17 @@ class Untangler:
         points : (V, 2) float64
             Only the fixed vertices are read.
         """
-        stiffness = (self.areas[:, None, None] * self.hats) @ np.swapaxes(self.hats, 1, 2)
+        stiffness = ((self.areas[:, None] * self.hats)[:, :, None] * self.hats.conj()[:, None]).real
         known = points.copy()
         known[self.free] = 0
         pull = stiffness @ known[self.triangles]
         right = np.stack([-self._single.vector(pull[..., axis]) for axis in (0, 1)], axis=1)
-        known[self.free] = solveh_banded(self._single.band(stiffness), right, lower=True)
+        known[self.free] = substituted(factorised(self._single.band(stiffness)), right)
         return known
 
     def determinants(self, points: Points) -> Floats:
         """Area of every triangle over its rest area, (T,)."""
-        return np.asarray(np.linalg.det(jacobians(self.hats, points[self.triangles])))
+        return self._maps(as_complex(points)).determinants
 
     def untangle(self, points: Points, *, patient: bool = False) -> tuple[Points, int]:
         """Lower the energy until no triangle is turned over, then even the mesh out a little.
@@ -120,64 +123,76 @@ class Untangler:
         """
         decrease = PATIENT_DECREASE if patient else EPS_DECREASE
         patience = PATIENCE if patient else IMPATIENCE
-        best, waited, smoothed = (len(self.triangles) + 1, points), 0, 0
-        worst = self.determinants(points).min()
+        state = self._state(as_complex(points))
+        best, waited, smoothed = (len(self.triangles) + 1, state.points), 0, 0
+        worst = state.determinants.min()
         eps = LAST_EPS if worst > 0 else LAST_EPS + FIRST_EPS * abs(worst)
         for _ in range(MAX_STEPS):
-            before = self._energy(points, eps)
-            moved = self._step(points, eps, before)
+            before = self._energy(state, eps)
+            moved = self._step(state, eps, before)
             if moved is None:
                 break
-            points, after = moved
-            determinants = self.determinants(points)
-            worst, turned = determinants.min(), int((determinants <= 0).sum())
+            state, after = moved
+            worst, turned = state.determinants.min(), int((state.determinants <= 0).sum())
             if turned == 0:
-                best = (0, points)
+                best = (0, state.points)
                 smoothed += 1
                 eps = LAST_EPS
                 if smoothed > SMOOTHING_STEPS:
                     break
                 continue
             waited = 0 if turned < best[0] else waited + 1
-            best = min(best, (turned, points), key=lambda pair: pair[0])
+            best = min(best, (turned, state.points), key=lambda pair: pair[0])
             if after > SETTLED * before:
                 eps = min(eps, _next_eps(eps, worst, decrease))
             if waited >= patience or eps < LAST_EPS:
                 break
-        return best[1], best[0]
+        return as_points(best[1]), best[0]
 
-    @property
-    def _weights(self) -> Floats:
-        """Small triangles matter more than their area, or they are crushed first."""
-        root = np.sqrt(self.areas)
-        return np.asarray(root / root.sum())
+    def _maps(self, points: Complex) -> LinearMaps:
+        return jacobians(self.hats, points[self.triangles])
 
-    def _energy(self, points: Points, eps: float) -> float:
-        j = jacobians(self.hats, points[self.triangles])
-        det = j[:, 0, 0] * j[:, 1, 1] - j[:, 0, 1] * j[:, 1, 0]
-        chi = _chi(det, eps)[0]
-        return float((self._weights * ((j**2).sum((1, 2)) + 1 + det**2) / (2 * chi)).sum())
+    def _state(self, points: Complex) -> "_State":
+        maps = self._maps(points)
+        turning, stretching = squared(maps.a), squared(maps.b)
+        return _State(points, maps, turning - stretching, 2 * (turning + stretching))
 
-    def _step(self, points: Points, eps: float, before: float) -> tuple[Points, float] | None:
-        """One Newton step with a line search: new points and energy, or None if none is lower."""
-        forces, blocks = _newton(jacobians(self.hats, points[self.triangles]), eps, self.hats)
-        weights = self._weights
-        slope = self._double.vector(weights[:, None] * forces)
-        band = self._double.band(weights[:, None, None] * blocks)
+    def _energy(self, state: "_State", eps: float) -> float:
+        det = state.determinants
+        return float(self._weights @ ((state.squares + 1 + det**2) / (2 * _chi(det, eps)[0])))
+
+    def _step(self, state: "_State", eps: float, before: float) -> "tuple[_State, float] | None":
+        """One Newton step with a line search: new state and energy, or None if none is lower."""
+        forces, blocks = _newton(state, eps, self.hats)
+        slope = self._double.vector(self._weights[:, None] * forces)
+        band = self._double.band(self._weights[:, None, None] * blocks)
+        if not np.isfinite(slope).all():
+            return None
         try:
-            step = -solveh_banded(band, slope, lower=True, overwrite_ab=True)
-        except (LinAlgError, ValueError):
+            step = -substituted(factorised(band), slope[:, None])[:, 0]
+        except LinAlgError:
             return None
         descent = float(step @ slope)
+        move = np.zeros_like(state.points)
+        move[self.free] = step.view(np.complex128)
         length = 1.0
         while length > SHORTEST:
-            trial = points.copy()
-            trial[self.free] += length * step.reshape(-1, 2)
+            trial = self._state(state.points + length * move)
             energy = self._energy(trial, eps)
             if energy <= before + SUFFICIENT * length * descent:
                 return trial, energy
             length /= 2
         return None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _State:
+    """Vertices (V,), and of every triangle its map, determinant and squared norm, (T,)."""
+
+    points: Complex
+    maps: LinearMaps
+    determinants: Floats
+    squares: Floats
 
 
 def _chi(det: Floats, eps: float) -> tuple[Floats, Floats]:
@@ -193,44 +208,42 @@ def _next_eps(eps: float, worst: float, decrease: float) -> float:
     return 2 * float(np.sqrt(bound * (bound - worst))) if worst < bound else LAST_EPS
 
 
-def _newton(j: Floats, eps: float, hats: Floats) -> tuple[Floats, Floats]:
+def _newton(state: _State, eps: float, hats: Complex) -> tuple[Floats, Floats]:
     """Gradients (T, 6) and positive Hessians (T, 6, 6) of each triangle's energy by its corners.
 
-    With n = |J|^2 and d = det J the energy is f(n, d). In the frames of the singular vectors its
-    Hessian has a 2 x 2 block for scalings and two single eigenvalues, for the twist and the flip
-    ([SdGK19]_, section 4); negative ones are raised to almost zero.
+    With n = |J|^2 and d = det J the energy is f(n, d). In p = |a| and q = |b| of the map
+    ``a z + b conj(z)`` both are simple, n = 2 (p^2 + q^2) and d = p^2 - q^2, so the Hessian by a
+    and b has a 2 x 2 block for p and q and two single eigenvalues, for the phases of a, the twist,
+    and of b, the flip ([SdGK19]_, section 4); negative ones are raised to almost zero.
     """
-    a, b, c, d = j[:, 0, 0], j[:, 0, 1], j[:, 1, 0], j[:, 1, 1]
-    det = a * d - b * c
+    det = state.determinants
     chi, root = _chi(det, eps)
     first, second = chi / root, eps**2 / (2 * root**3)
-    half = ((j**2).sum((1, 2)) + 1 + det**2) / 2
+    half = (state.squares + 1 + det**2) / 2
     f_n, f_nd = 0.5 / chi, -0.5 * first / chi**2
     f_d = det / chi - half * first / chi**2
     f_dd = 1 / chi - (2 * det * first + half * second) / chi**2 + 2 * half * first**2 / chi**3
 
-    cofactor = np.stack([np.stack([d, -c], axis=-1), np.stack([-b, a], axis=-1)], axis=-2)
-    stress = 2 * f_n[:, None, None] * j + f_d[:, None, None] * cofactor
-    forces = (hats @ np.swapaxes(stress, 1, 2)).reshape(-1, 6)
+    a, b, conjugate = state.maps.a[:, None], state.maps.b[:, None], hats.conj()
+    twist, flip = 4 * f_n + 2 * f_d, 4 * f_n - 2 * f_d
+    forces = (twist[:, None] * a * hats + flip[:, None] * b * conjugate) / 2
 
-    # J = R(left) diag(s1, s2) R(right), s2 negative where the triangle is turned over.
-    sum_angle, difference = np.arctan2(c - b, a + d), np.arctan2(c + b, a - d)
-    s1 = (np.hypot(a + d, c - b) + np.hypot(a - d, c + b)) / 2
-    s2 = (np.hypot(a + d, c - b) - np.hypot(a - d, c + b)) / 2
-    h11 = 2 * f_n + f_dd * s2**2 + 4 * f_nd * det
-    h22 = 2 * f_n + f_dd * s1**2 + 4 * f_nd * det
-    h12 = f_d + f_dd * det + 2 * f_nd * (s1**2 + s2**2)
-    mean, spread = (h11 + h22) / 2, np.hypot((h11 - h22) / 2, h12)
-    values = np.stack([mean + spread, mean - spread, 2 * f_n + f_d, 2 * f_n - f_d], axis=1)
-    values = np.maximum(values, EIGENVALUE_FLOOR * np.abs(values).max(axis=1, keepdims=True))
+    p, q = np.abs(a), np.abs(b)
+    pp, qq = p[:, 0] ** 2, q[:, 0] ** 2
+    h_pp, h_qq = twist + pp * (16 * f_nd + 4 * f_dd), flip + qq * (4 * f_dd - 16 * f_nd)
+    h_pq = -4 * np.sqrt(pp * qq) * f_dd
+    middle, spread = (h_pp + h_qq) / 2, np.hypot((h_pp - h_qq) / 2, h_pq)
+    values = np.stack([middle + spread, middle - spread, twist, flip])
+    high, low, twist, flip = np.maximum(values, EIGENVALUE_FLOOR * np.abs(values).max(axis=0))
+    # Of the block, what its eigenvalues have in common and what sets them apart.
+    apart = (high - low) / (2 * np.where(spread > 0, spread, 1.0))
+    middle, tilt, h_pq = (high + low) / 2, apart * (h_pp - h_qq) / 2, apart * h_pq
 
-    angle = np.arctan2(2 * h12, h11 - h22) / 2
-    cos, sin, zero, one = np.cos(angle), np.sin(angle), np.zeros_like(a), np.full_like(a, 0.5**0.5)
-    modes = np.stack(
-        [cos, zero, zero, sin, -sin, zero, zero, cos, zero, -one, one, zero, zero, one, one, zero],
-        axis=1,
-    ).reshape(-1, 4, 2, 2)
-    left, right = rotations((difference + sum_angle) / 2), rotations((sum_angle - difference) / 2)
-    modes = left[:, None] @ modes @ right[:, None]
-    rows = (hats[:, None] @ np.swapaxes(modes, 2, 3)).reshape(-1, 4, 6)
-    return forces, np.swapaxes(rows, 1, 2) @ (values[..., None] * rows)
+    along_a = hats * (a / np.where(p > 0, p, 1.0) + (p == 0)) / 2
+    along_b = conjugate * (b / np.where(q > 0, q, 1.0) + (q == 0)) / 2
+    rows = np.stack([along_a, along_b, 1j * along_a, 1j * along_b], axis=1)
+    by_p = (middle + tilt)[:, None] * along_a + h_pq[:, None] * along_b
+    by_q = (middle - tilt)[:, None] * along_b + h_pq[:, None] * along_a
+    weighted = np.stack([by_p, by_q, twist[:, None] * rows[:, 2], flip[:, None] * rows[:, 3]], 1)
+    blocks = np.swapaxes(rows.view(np.float64), 1, 2) @ weighted.view(np.float64)
+    return forces.view(np.float64), blocks

@@ -1,10 +1,11 @@
 import numpy as np
 
 from shapetween.arrays import Floats, Mask, Points
+from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.geometry.polygon import polygon_area
-from shapetween.geometry.rotation import rotations
-from shapetween.plane.airmesh import MendedMotion
+from shapetween.plane.airmesh import mended as mended_at
 from shapetween.plane.check import simple_frames
+from shapetween.plane.keyed import KeyedMotion
 from shapetween.plane.ladder import LADDER, settle
 from shapetween.plane.mesh import plane_mesh
 from shapetween.plane.motion import PlaneMotion, Stiffness
@@ -33,19 +34,20 @@ def test_what_folds_is_mended_and_stays_smooth() -> None:
     mesh = plane_mesh(nodes, nodes, rings)
     above = mesh.source[mesh.triangles[mesh.inside]].mean(axis=1)[:, 1] < 0
 
-    def clap(t: Floats, own: Floats) -> Floats:
+    def clap(t: Floats, own: LinearMaps) -> LinearMaps:
         swing = 0.7 * np.sin(np.pi * t)[:, None]
-        return rotations(np.where(above, swing, -swing)) @ own
+        return own.turned(np.exp(1j * np.where(above, swing, -swing)))
 
-    motion = PlaneMotion.prepare(mesh, Stiffness(outside=1e-3, length=0.0), clap)
+    solver = PlaneMotion.prepare(mesh, Stiffness(outside=1e-3, length=0.0), clap)
+    motion = KeyedMotion.of(mesh, solver.posed(np.linspace(0, 1, 21)))
     plain = motion.vertices(T)
     assert not simple_frames(plain[:, :40], (20, 20)).all()
-    mended = MendedMotion.of(motion, T, plain)
+    mended = mended_at(motion, len(T))
     moved = mended.vertices(T)
     assert (polygon_area(moved[:, mesh.triangles]) > 0).all()
     np.testing.assert_array_equal(moved[[0, -1]], plain[[0, -1]])
-    np.testing.assert_array_equal(moved[:, mesh.frame], plain[:, mesh.frame])
-    fine = mended.vertices(np.linspace(0, 1, 161))[:, :40]
+    np.testing.assert_allclose(moved[:, mesh.frame], plain[:, mesh.frame], atol=1e-12)
+    fine = mended.nodes(np.linspace(0, 1, 161))
     assert simple_frames(fine, (20, 20)).all()
     jolts = [np.abs(np.diff(x[:, :40], 2, axis=0)).max() * 1600 for x in (plain, moved)]
     assert jolts[1] < 20 > jolts[0]
@@ -65,17 +67,20 @@ def test_the_callers_look_decides() -> None:
     np.testing.assert_allclose(settled.crossing, [0.25, 0.25625])
 
 
-def test_frames_between_the_solved_ones_are_looked_at_where_they_are() -> None:
+def test_what_is_looked_at_is_what_moves() -> None:
     mesh = plane_mesh(comb(4, -1.5), comb(4, 1.5))
     looked: list[Points] = []
 
-    def look(t: Floats, vertices: Points) -> Mask:
-        looked.append(vertices)
+    def look(t: Floats, nodes: Points) -> Mask:
+        looked.append(nodes)
         return np.full(len(t), True)
 
     settled = settle(mesh, look)
-    true = settled.motion.vertices(np.linspace(0, 1, len(looked[0])))
-    np.testing.assert_allclose(looked[0], true, atol=1e-5 * np.ptp(true))
+    t = np.linspace(0, 1, len(looked[0]))
+    drawn = settled.motion.vertices(t)[:, : mesh.nodes]
+    np.testing.assert_allclose(looked[0], drawn, atol=1e-12 * np.ptp(drawn))
+    solved = PlaneMotion.prepare(mesh, settled.stiffness).vertices(t)[:, : mesh.nodes]
+    np.testing.assert_allclose(drawn, solved, atol=1e-4 * np.ptp(drawn))
 
 
 def test_curled_strips_pass_each_other() -> None:

@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.arrays import Floats, Points
+from shapetween.geometry.linearmaps import LinearMaps, as_complex
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import rotations
 from shapetween.plane.check import simple_frames
@@ -132,14 +133,14 @@ def test_the_inside_follows_a_target() -> None:
     mesh = plane_mesh(source, 3 * source)
     count = int(mesh.inside.sum())
 
-    def swing(t: Floats, own: Floats) -> Floats:
-        assert own.shape == (len(t), count, 2, 2)
-        return rotations(0.8 * np.sin(np.pi * t))[:, None] @ own
+    def swing(t: Floats, own: LinearMaps) -> LinearMaps:
+        assert own.a.shape == (len(t), count)
+        return own.turned(np.exp(0.8j * np.sin(np.pi * t))[:, None])
 
     weak = Stiffness(outside=1e-6, length=1e-6)
     moved = PlaneMotion.prepare(mesh, weak, swing).vertices(T)
-    hats, _ = gradients(mesh.source[mesh.triangles[mesh.inside]])
-    got = jacobians(hats, moved[:, mesh.triangles[mesh.inside]])
+    hats, _ = gradients(as_complex(mesh.source[mesh.triangles[mesh.inside]]))
+    got = jacobians(hats, as_complex(moved[:, mesh.triangles[mesh.inside]])).matrices
     want = (1 + 2 * T)[:, None, None] * rotations(0.8 * np.sin(np.pi * T))
     np.testing.assert_allclose(got, np.broadcast_to(want[:, None], got.shape), atol=0.02)
 

@@ -15,9 +15,10 @@ def test_an_affine_image_is_reached_exactly(affine: Floats, seed: int) -> None:
     nodes = blob(seed, 12)
     nodes = (nodes - nodes.mean(axis=0)) / np.ptp(nodes)
     path = affine_path(nodes, nodes @ affine[:, :2].T)
-    np.testing.assert_allclose(path.at(np.array([1.0]))[0], affine[:, :2], atol=1e-9)
-    back = path.reversed().at(np.array([0.7]))[0]
-    np.testing.assert_allclose(back @ path.matrix, path.at(np.array([0.3]))[0], atol=1e-9)
+    forth = path.at(np.array([0.3, 1.0])).matrices
+    np.testing.assert_allclose(forth[1], affine[:, :2], atol=1e-9)
+    back = path.reversed().at(np.array([0.7])).matrices[0]
+    np.testing.assert_allclose(back @ path.matrix, forth[0], atol=1e-9)
 
 
 def test_unlike_shapes_are_held_by_a_similarity() -> None:
