@@ -289,7 +289,7 @@ def _alone(rings: list[RingMatch], settings: FillSettings) -> Carried:
     many = len(outer.source.curves) + len(outer.target.curves) > MANY_CURVES
     best = unfolded(rings, settings.method, TOLERANCES[:1] if many else TOLERANCES)
     pinned = outer.found == "given" or len(settings.used_pins) > 0
-    if many or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES // 2:
+    if many or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
         return best
     for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
         found = unfolded([other, *holes], settings.method, TOLERANCES[:2])

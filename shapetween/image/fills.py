@@ -16,7 +16,7 @@ from shapetween.image.resvg import drawn, drawn_apart
 from shapetween.movement import Part
 from shapetween.paint import Style
 from shapetween.parts import FilledPart
-from shapetween.plane.motion import PlaneMotion
+from shapetween.plane.keyed import KeyedMotion
 from shapetween.svg.textures import plain_texture, texture_svg
 
 __all__ = ["Fill", "fill_of"]
@@ -144,7 +144,7 @@ def _picture(style: Style, points: Points, fit: Affine, larger: float) -> tuple[
 def _mesh(part: Part, whole: int) -> tuple[VertexPath, Index]:
     """The mesh that carries what fills a part, and how it moves."""
     bodies = part.bodies if isinstance(part, FilledPart) else ()
-    meshes = [body.path.mesh for body in bodies if isinstance(body.path, PlaneMotion)]
+    meshes = [body.path.mesh for body in bodies if isinstance(body.path, KeyedMotion)]
     if not meshes or len(meshes) < len(bodies):
         follower = _Follower(part, whole)
         return follower, np.array([[0, 1, 2], [0, 2, 3]])
