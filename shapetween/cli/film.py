@@ -15,7 +15,15 @@ if TYPE_CHECKING:
     from shapetween.image.light import Bytes
     from shapetween.paint import Colour
 
-__all__ = ["PICTURES", "counted", "moving_pictures", "still_pictures", "workers"]
+__all__ = [
+    "DEFAULT_FPS",
+    "MOST_FRAMES",
+    "PICTURES",
+    "counted",
+    "moving_pictures",
+    "still_pictures",
+    "workers",
+]
 
 #: Endings of films; see `shapetween.image.writers.WRITERS`.
 PICTURES = (".webp", ".png", ".apng", ".gif", ".mp4")

@@ -1,13 +1,12 @@
 """The command that makes a transition of two pictures."""
 
 import json
-import os
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapetween.cli.film import DEFAULT_FPS, MOST_FRAMES, counted, workers
 from shapetween.cli.options import (
     QUIET,
     A,
@@ -24,20 +23,13 @@ from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
 if TYPE_CHECKING:
-    from shapetween.image.light import Bytes
     from shapetween.image.picture import Picture
     from shapetween.image.quads import PictureQuad
-    from shapetween.image.transition import Transition
 
 __all__ = ["draw_over", "image"]
 
-#: Frames a second and seconds, where neither these nor the number of frames are asked for.
-DEFAULT_FPS, DEFAULT_DURATION = 30.0, 2.0
-
-#: Frames drawn at the same time, at most: each needs memory of its own.
-MOST_WORKERS = 4
-
-MOST_FRAMES = 100_000
+#: Seconds, where neither these nor the number of frames are asked for.
+DEFAULT_DURATION = 2.0
 
 
 @click.command(
@@ -136,6 +128,12 @@ def image(
     from shapetween import files
     from shapetween.frames import easing_function, even_times
 
+    for path in (a, b):
+        if path.suffix.lower() in (".svg", ".svgz"):
+            raise OptionError(
+                f"{path}: is a drawing; expected a picture, or 'shapetween morph A.svg B.svg -o "
+                "OUT.webp', which keeps pictures in drawings"
+            )
     ways = [bool(quads), mesh is not None, outlines is not None]
     if sum(ways) != 1:
         raise OptionError("expected one of --quads, --mesh or --outlines, to say what moves")
@@ -180,7 +178,8 @@ def image(
         order = list(range(count))
         if loop == "alternate":
             order += order[-2:0:-1]
-        write(out, _counted(transition, order, run), Clock(len(order), fps, loop != "once"))
+        frames = counted(transition.frames(order, workers()), len(order), run)
+        write(out, frames, Clock(len(order), fps, loop != "once"))
         if report is not None:
             text = json.dumps(transition.report() | {"warnings": list(moving.warnings)}, indent=1)
             files.write_text(report, text + "\n")
@@ -295,11 +294,3 @@ def _background(
             f"--background {value!r}: expected keep, dissolve, a colour such as #fff, or a picture"
         )
     return read_picture(Path(value), megapixels)
-
-
-def _counted(transition: "Transition", order: list[int], run: Progress) -> "Iterator[Bytes]":
-    """Frames, while the progress says which one it is at."""
-    workers = min(MOST_WORKERS, os.cpu_count() or 1)
-    for k, frame in enumerate(transition.frames(order, workers)):
-        with run(f"frame {k + 1} of {len(order)}"):
-            yield frame
