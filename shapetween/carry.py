@@ -8,10 +8,11 @@ can throw it outwards. What it is at the start fades into what it is at the end.
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.arrays import Complex, Curves, Floats, Index, Points
 from shapetween.geometry.bezier import end_tangents
+from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points
 from shapetween.geometry.polygon import cross
-from shapetween.geometry.rotation import linear_between, polar, rotations
+from shapetween.geometry.rotation import polar, rotations
 from shapetween.matched import Pieces
 
 __all__ = ["Carrier", "affine_between"]
@@ -25,6 +26,10 @@ MENDED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
 
 #: Share of its length that a curve's handles may lie off its chord and the curve count as a line.
 STRAIGHT = 1e-3
+
+#: Distance of a handle from its end, as a share of the curve's extent, up to which it lies there
+#: and says nothing of the curve's direction.
+COINCIDENT = 1e-9
 
 #: Curves of all frames that are worked on at once; more cost memory and are no quicker.
 AT_ONCE = 50_000
@@ -109,24 +114,23 @@ class Carrier:
         third = np.linspace(0.0, 1.0, 4)
         self._share = first[:, None] + (last - first)[:, None] * third  # (P, 4)
         self._spans = np.bincount(self._span, minlength=count)
-        self._chords = _chords(source), _chords(target)
-        at = np.zeros(1, dtype=np.intp)
+        ends = as_complex(source), as_complex(target)
+        self._chords = _chords(ends[0]), _chords(ends[1])
         self._offsets = (
-            pieces.source - self._along(source[None], at)[0],
-            pieces.target - self._along(target[None], at)[0],
+            as_complex(pieces.source) - self._along(ends[0]),
+            as_complex(pieces.target) - self._along(ends[1]),
         )
         self._ordered = ordered
-        self._angle, self._stretch = affine_between(source, target)
+        angle, stretch = affine_between(source, target)
         if ordered:
-            self._stretch = np.sqrt(np.linalg.det(self._stretch)) * np.eye(2)
+            stretch = np.sqrt(np.linalg.det(stretch)) * np.eye(2)
+        self._angle, self._affine = angle, LinearMaps.of(rotations(angle) @ stretch)
         self._joints = _Joints.of(pieces)
 
-    def _along(self, nodes: Points, frames: Index) -> Points:
-        """Points of the chords at each control point's share of the span, (F, P, 4, 2)."""
-        start, step = nodes[frames], _chords(nodes[frames])
-        return np.asarray(
-            start[:, self._span, None] + self._share[..., None] * step[:, self._span, None]
-        )
+    def _along(self, nodes: Complex) -> Complex:
+        """Points of the chords at each control point's share of the span, (..., P, 4)."""
+        step = _chords(nodes)[..., self._span, None]
+        return np.asarray(nodes[..., self._span, None] + self._share * step)
 
     @property
     def count(self) -> int:
@@ -146,51 +150,54 @@ class Carrier:
         (F, P, 4, 2) float64
             Exactly the pieces' own at 0 and 1.
         """
-        angle, stretch = np.reshape(self._angle, (1,)), self._stretch[None]
-        general = linear_between(angle, stretch, t)  # (F, 1, 2, 2)
-        back = np.linalg.inv(rotations(angle) @ stretch)
-        chord = _chords(nodes)  # (F, n, 2)
-        linears = general, general @ back
-        chords = [
-            rest @ np.swapaxes(linear[:, 0], -1, -2)
-            for linear, rest in zip(linears, self._chords, strict=True)
-        ]
+        places = as_complex(nodes)
+        forth = self._affine.between(self._angle, t)[:, None]  # (F, 1)
+        linears = forth, forth.after(self._affine.inverse())
+        chord = _chords(places)  # (F, n)
+        chords = [linear(rest) for linear, rest in zip(linears, self._chords, strict=True)]
         # Offsets grow as the chords do on the whole, beside what the affine map says.
-        sizes = [np.linalg.norm(expected, axis=-1) for expected in chords]  # (F, n)
-        length = np.linalg.norm(chord, axis=-1)
-        time = t[:, None]
+        sizes = [np.abs(expected) for expected in chords]  # (F, n)
+        length, time = np.abs(chord), t[:, None]
         wanted = (1 - time) * sizes[0] + time * sizes[1]
         grown = (length @ self._spans / (wanted @ self._spans))[:, None]
-        along = np.eye(2)
-        if self._ordered:
-            unit = chord / np.where(length > 0, length, 1.0)[..., None]
-            excess = np.maximum(1 - length / (grown * wanted), 0.0)[..., None, None]
-            along = along - excess * (unit[..., :, None] * unit[..., None, :])
         moved = []
         for linear, expected, weight in zip(
             linears, chords, ((1 - time) * grown, time * grown), strict=True
         ):
-            turned = np.arctan2(cross(expected, chord), (expected * chord).sum(-1))
-            moved.append(along @ (weight[..., None, None] * (rotations(turned) @ linear)))
+            moved.append(linear.turned(weight * _direction(chord * expected.conj())))
+        if self._ordered:
+            squeezed = _squeezed(chord, np.maximum(1 - length / (grown * wanted), 0.0))
+            moved = [squeezed.after(local) for local in moved]
         result = np.zeros((len(t), self.count, 4, 2))
         # So few frames at once that what is on the way needs little memory.
         for frames in np.array_split(np.arange(len(t)), 1 + len(t) * self.count // AT_ONCE):
-            some = self._along(nodes, frames)
+            some = self._along(places[frames])
             for local, offset in zip(moved, self._offsets, strict=True):
-                for axis in (0, 1):
-                    row = local[frames, :, axis][:, self._span, None]  # (f, P, 1, 2)
-                    some[..., axis] += row[..., 0] * offset[..., 0] + row[..., 1] * offset[..., 1]
+                some += local[frames][:, self._span, None](offset)
             some[:, :, 3] = np.roll(some[:, :, 0], -1, axis=1)  # equal but for rounding
             self._joints.smooth(some, t[frames])
-            result[frames] = some
+            result[frames] = as_points(some)
         result[t == 0] = self._pieces.source
         result[t == 1] = self._pieces.target
         return result
 
 
-def _chords(nodes: Points) -> Points:
-    """From each node to the next, (..., n, 2)."""
-    return np.asarray(np.roll(nodes, -1, axis=-2) - nodes)
+def _chords(nodes: Complex) -> Complex:
+    """From each node to the next, (..., n)."""
+    return np.asarray(np.roll(nodes, -1, axis=-1) - nodes)
+
+
+def _direction(vectors: Complex) -> Complex:
+    """Vectors of length 1 in the same direction; 1 where there is none."""
+    size = np.abs(vectors)
+    unit = np.where(size > 0, vectors, 1.0) / np.where(size > 0, size, 1.0)
+    return np.asarray(unit, dtype=np.complex128)
+
+
+def _squeezed(along: Complex, shares: Floats) -> LinearMaps:
+    """Maps that take a share of the length along vectors away, and nothing across."""
+    stretch = shares / 2 * _direction(along) * _direction(along)
+    return LinearMaps(1 - shares / 2 + 0j, -stretch)
 
 
 class _Joints:
@@ -222,14 +229,14 @@ class _Joints:
         shares = free / np.maximum(free.sum(axis=0), 1)
         return cls(np.stack([before, after]), np.stack(kinks)[:, before], shares)
 
-    def smooth(self, curves: Curves, t: Floats) -> None:
+    def smooth(self, curves: Complex, t: Floats) -> None:
         """Turn handles about their joints, in place, until the kink is the ends' own mean."""
         if not len(self._before):
             return
-        reaching = end_tangents(curves[:, self._before])[1]
-        leaving = end_tangents(curves[:, self._after])[0]
+        reaching = -_leaving(curves[:, self._before, ::-1])
+        leaving = _leaving(curves[:, self._after])
         wanted = (1 - t)[:, None] * self._kinks[0] + t[:, None] * self._kinks[1]
-        excess = _angle(reaching, leaving) - wanted
+        excess = np.angle(leaving * reaching.conj()) - wanted
         fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - MENDED), 0.0, 1.0)
         excess = excess * fade * fade * (3 - 2 * fade)
         for piece, end, handle, share in (
@@ -238,8 +245,15 @@ class _Joints:
         ):
             pivot = curves[:, piece, end]
             arm = curves[:, piece, handle] - pivot
-            turned = rotations(share * excess) @ arm[..., None]
-            curves[:, piece, handle] = pivot + turned[..., 0]
+            curves[:, piece, handle] = pivot + np.exp(1j * share * excess) * arm
+
+
+def _leaving(curves: Complex) -> Complex:
+    """Offset from each curve's start of the first control point away from it, (...,)."""
+    offsets = curves[..., 1:] - curves[..., :1]
+    size = np.abs(offsets)
+    away = size > COINCIDENT * size.max(axis=-1, keepdims=True)
+    return np.asarray(np.take_along_axis(offsets, away.argmax(axis=-1)[..., None], axis=-1)[..., 0])
 
 
 def _angle(first: Points, second: Points) -> Floats:
