@@ -228,18 +228,29 @@ def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
     if not np.ptp(samples, axis=0).any():
         return np.unique([0, last])
     chosen = [0]
+    # The points that were too far before are the likeliest to be so again.
+    watched: list[int] = []
     while chosen[-1] < last:
         start = chosen[-1]
         end = start + 1
-        while end < last and _is_near(samples[start : end + 2], times[start : end + 2], tolerance):
+        while end < last:
+            some, when = samples[start : end + 2], times[start : end + 2]
+            if watched and _farthest(some[:, watched], when)[1] > tolerance:
+                break
+            point, distance = _farthest(some, when)
+            if distance > tolerance:
+                watched.append(point)
+                break
             end += 1
         chosen.append(end)
     return np.array(chosen, np.intp)
 
 
-def _is_near(samples: Floats, times: Floats, tolerance: float) -> bool:
-    """Whether a straight line in time from the first to the last sample is near all of them."""
+def _farthest(samples: Floats, times: Floats) -> tuple[int, float]:
+    """The point farthest from its straight way from the first to the last sample, and how far."""
     span = times[-1] - times[0]
     share = ((times[1:-1] - times[0]) / (span if span > 0 else 1.0))[:, None, None]
     straight = (1 - share) * samples[0] + share * samples[-1]
-    return bool((((samples[1:-1] - straight) ** 2).sum(-1) <= tolerance**2).all())
+    away = ((samples[1:-1] - straight) ** 2).sum(-1).max(axis=0)
+    point = int(away.argmax())
+    return point, float(np.sqrt(away[point]))

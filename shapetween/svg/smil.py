@@ -36,6 +36,14 @@ REDUCED_MOTION = (
 #: Paint is looked at on every fourth sample: it changes evenly, and slower than shapes.
 PAINT_STRIDE = 4
 
+#: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
+#: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
+MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 400_000, 9, 1.5
+
+#: Curves of all samples that are held at once, and the strides of samples that may be left out for
+#: it: parts of the steps on which keyframes may lie.
+MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
+
 #: A style's times are kept inside these, where it has all it needs on the way (a plain colour on
 #: its way to a gradient is a gradient there) and differs from its ends by nothing to be seen.
 INSIDE = (1e-6, 1 - 1e-6)
@@ -148,8 +156,13 @@ def add_part(
 
     `tolerance` is how far points may be off between two keyframes.
     """
-    stack = part.curves(clock.schedule.time)
-    picks = clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
+    count = sum(part.rings)
+    shape_clock = _for_so_many(clock, count)
+    stack = part.curves(shape_clock.schedule.time)
+    picks = shape_clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
+    while clock.adaptive and len(picks) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(count, 1)):
+        tolerance *= LOOSER
+        picks = shape_clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
     values = path_data(stack[picks], part.rings, part.closed, gradients.decimals)
     slower = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
     styles = [part.style(t) for t in np.clip(slower.time, *INSIDE).tolist()]
@@ -157,4 +170,13 @@ def add_part(
         path = ET.SubElement(parent, "path", name if track.start == 0 else {})
         animate_style(path, track, replace(clock, schedule=slower), gradients, tolerance)
         path.set("d", values[0])
-        animate(path, "d", clock, picks, values)
+        animate(path, "d", shape_clock, picks, values)
+
+
+def _for_so_many(clock: Clock, count: int) -> Clock:
+    """The clock with fewer samples, where so many curves at all of them would not fit in memory."""
+    steps = len(clock.schedule.time) - 1
+    if not clock.adaptive or steps * count <= MOST_SAMPLED:
+        return clock
+    stride = next(k for k in STRIDES if steps * count <= k * MOST_SAMPLED or k == STRIDES[-1])
+    return replace(clock, schedule=clock.schedule.thinned(stride))
