@@ -121,12 +121,14 @@ def _simple(points: Points, ring: Outline) -> "shapely.Polygon | None":
     import shapely
 
     polygon = shapely.Polygon(points)
+    if not polygon.is_valid:  # or so it seems: where the chords cross, curves may pass by
+        polygon = shapely.Polygon(chords_of([ring]).polylines[0])
     if polygon.is_valid:
         return polygon
     fixed = shapely.make_valid(polygon, method="structure", keep_collapsed=False)
     # Where it runs there and back along itself, the mended outline is shorter.
     retraced = float(polygon.length - fixed.length)
-    same = abs(float(fixed.area) - abs(ring.area)) <= NEGLIGIBLE * abs(ring.area)
+    same = abs(fixed.area - polygon.area) <= NEGLIGIBLE * polygon.area
     if same and retraced <= RETRACED * polygon.length:
         return max(shapely.get_parts(fixed), key=shapely.area)
     return None
