@@ -81,10 +81,11 @@ def settle(
     tried: list[SettledMotion] = []
     for stiffness in ladder:
         plain = KeyedMotion.of(mesh, PlaneMotion.prepare(mesh, stiffness, target).posed(solved))
-        for motion in (plain, mended(plain, MENDED_TIMES)):
+        for mend in (False, True):
+            motion = mended(plain, MENDED_TIMES) if mend else plain
             nodes = motion.nodes(checked)
             crossing = checked[~look(checked, nodes)]
-            tried.append(SettledMotion(motion, stiffness, motion is not plain, crossing))
+            tried.append(SettledMotion(motion, stiffness, mend, crossing))
             if not len(crossing):
                 return tried[-1]
         if check and polygons(checked, nodes).all():
