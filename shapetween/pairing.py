@@ -1,21 +1,37 @@
 """Which of several things becomes which: shapes of two drawings, pieces of shapes, holes."""
 
+import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
+from shapetween.arrays import Floats, Mask, Points
 from shapetween.drawing import Shape
 from shapetween.paint import Colour, Gradient, Paint
 
 __all__ = ["Pairing", "Thing", "pair_shapes", "pair_things"]
 
-#: What a whole diagonal of the drawing in distance, a factor e in size, black to white in paint,
-#: bottom to top in order, and fill against line cost. Distance counts most: what stays near its
-#: place is seen as the same thing.
-DISTANCE, SIZE, PAINT, ORDER, KIND = 1.0, 0.15, 0.2, 0.15, 0.5
+#: What a move by the own size, a factor e in size, black to white in paint, bottom to top in order,
+#: fill against line, and open against closed cost. Distance counts most: what stays near its place
+#: is seen as the same thing.
+DISTANCE, SIZE, PAINT, ORDER, KIND, OPEN = 1.0, 0.35, 0.8, 0.15, 0.6, 0.25
+
+#: What two shapes cost that nowhere cover each other.
+OVERLAP = 0.8
+
+#: What a factor e in the ratio of width to height costs, and the least share of its size that a
+#: thing is wide or high: a line's own width.
+ASPECT, SLIM = 0.12, 0.1
+
+#: Share of the drawing that a move is counted against beside the own size: how far a speck may go.
+REACH = 0.15
+
+#: What leaving a thing without a partner costs, and what a pair as large as the drawing saves
+#: beside that. More, and strangers far apart become each other; less, and everything comes and
+#: goes.
+LEFT, LARGE = 0.5, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,10 +43,22 @@ class Thing:
     centre : (2,) float64
     size : float
         A length: the root of its area, or of its box.
+    aspect : float
+        Logarithm of how much wider than high it is.
     """
 
     centre: Points
     size: float
+    aspect: float = 0.0
+
+    @classmethod
+    def of(cls, points: Points) -> "Thing":
+        """What a box about points (N, 2) is judged by."""
+        low, high = points.min(axis=0), points.max(axis=0)
+        width, height = (high - low).tolist()
+        size = float(np.hypot(width, height))
+        least = SLIM * size or 1.0
+        return cls((low + high) / 2, size, math.log(max(width, least) / max(height, least)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +77,9 @@ def pair_things(
     extra: Floats | None = None,
     fixed: Sequence[tuple[int, int]] = (),
 ) -> Pairing:
-    """Match as many as both sides have, at the least total cost.
+    """Match what belongs together, at the least total cost of pairs and of what is left alone.
+
+    At least one pair is made if both sides have anything.
 
     Parameters
     ----------
@@ -90,16 +120,38 @@ def _cheapest(
     away = np.linalg.norm(
         np.array([t.centre for t in a])[:, None] - np.array([t.centre for t in b]), axis=-1
     )
-    sizes = [np.log(np.maximum([t.size for t in side], 1e-12 * scale)) for side in (a, b)]
-    cost = DISTANCE * away / scale + SIZE * np.abs(sizes[0][:, None] - sizes[1])
+    sizes = [np.maximum([t.size for t in side], 1e-12 * scale) for side in (a, b)]
+    own = (sizes[0][:, None] + sizes[1]) / 2
+    cost = DISTANCE * away / (own + REACH * scale)
+    aspects = [np.array([t.aspect for t in side]) for side in (a, b)]
+    cost += ASPECT * np.abs(aspects[0][:, None] - aspects[1])
+    cost += SIZE * np.abs(np.log(sizes[0][:, None] / sizes[1]))
     if extra is not None:
         cost = cost + extra[np.ix_(rows, columns)]
-    chosen = linear_sum_assignment(cost)
-    return [(rows[i], columns[j]) for i, j in zip(*(k.tolist() for k in chosen), strict=True)]
+    cost -= LARGE * np.minimum(np.minimum(sizes[0][:, None], sizes[1]) / scale, 1.0)
+    # Every thing may also be left alone: a partner of its own for each, at that price.
+    count = len(a) + len(b)
+    table = np.full((count, count), np.inf)
+    table[: len(a), : len(b)] = cost
+    table[np.arange(len(a)), len(b) + np.arange(len(a))] = LEFT
+    table[len(a) + np.arange(len(b)), np.arange(len(b))] = LEFT
+    table[len(a) :, len(b) :] = 0.0
+    found = zip(*(k.tolist() for k in linear_sum_assignment(table)), strict=True)
+    chosen = [(i, j) for i, j in found if i < len(a) and j < len(b)]
+    if not chosen and np.isfinite(cost).any():
+        chosen = [divmod(int(cost.argmin()), len(b))]
+    return [(rows[i], columns[j]) for i, j in chosen]
 
 
 def pair_shapes(
-    first: Sequence[Shape], second: Sequence[Shape], scale: float, fixed: Sequence[tuple[int, int]]
+    first: Sequence[Shape],
+    second: Sequence[Shape],
+    scale: float,
+    fixed: Sequence[tuple[int, int]],
+    *,
+    brought: Sequence[Thing] | None = None,
+    shared: Floats | None = None,
+    barred: Mask | None = None,
 ) -> Pairing:
     """Match shapes: by name where both drawings have it once, else by place, size, paint, order.
 
@@ -111,6 +163,13 @@ def pair_shapes(
         Diagonal of the drawing.
     fixed : sequence of (int, int)
         Pairs that the user settled.
+    brought : sequence of Thing, optional
+        Where the first drawing's shapes are once both lie on each other; by default where they
+        are drawn.
+    shared : (len(first), len(second)) float64, optional
+        Share of what either of two shapes covers that both then cover.
+    barred : (len(first), len(second)) bool, optional
+        Pairs that are not made unless they are settled.
     """
     settled = list(fixed)
     taken = {a for a, _ in settled}, {b for _, b in settled}
@@ -125,15 +184,21 @@ def pair_shapes(
     orders = [np.arange(len(side)) / max(len(side) - 1, 1) for side in (first, second)]
     extra = PAINT * np.abs(colours[0][:, None] - colours[1]).mean(axis=-1)
     extra = extra + KIND * (kinds[0][:, None] != kinds[1])
+    rings = [
+        np.array([np.mean([r.closed for r in s.rings]) for s in side]) for side in (first, second)
+    ]
+    extra = extra + OPEN * np.abs(rings[0][:, None] - rings[1])
     extra = extra + ORDER * np.abs(orders[0][:, None] - orders[1])
-    things = [[_thing(shape) for shape in side] for side in (first, second)]
-    return pair_things(things[0], things[1], scale, extra, settled)
+    if shared is not None:
+        extra = extra + OVERLAP * (1 - shared)
+    if barred is not None:
+        extra = np.where(barred, np.inf, extra)
+    things = [_thing(shape) for shape in first] if brought is None else brought
+    return pair_things(things, [_thing(shape) for shape in second], scale, extra, settled)
 
 
 def _thing(shape: Shape) -> Thing:
-    boxes = np.array([ring.box for ring in shape.rings])
-    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-    return Thing((low + high) / 2, float(np.linalg.norm(high - low)))
+    return Thing.of(np.concatenate([ring.box for ring in shape.rings]))
 
 
 def _seen(shape: Shape) -> tuple[float, float, float, float]:

@@ -9,7 +9,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from shapetween.arrays import Floats, Index
 
-__all__ = ["Paths", "cyclic_paths"]
+__all__ = ["Paths", "cyclic_paths", "open_path"]
 
 #: Steps along (source, target), in stations. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
 #: slope of 1.5 be even.
@@ -148,3 +148,22 @@ def _prices(cost: Floats) -> Floats:
         way = [np.roll(cost, (q * di // steps, q * dj // steps), (0, 1)) for q in range(steps)]
         prices.append((di + dj) / 2 * np.mean(way, axis=0) + SKEW_PRICE * abs(di - dj))
     return np.stack(prices)
+
+
+def open_path(cost: Floats) -> tuple[Index, Index]:
+    """The cheapest path through the costs of two open lines of n stations each, end to end.
+
+    Parameters
+    ----------
+    cost : (n, n) float64
+
+    Returns
+    -------
+    rows, columns : (K,) intp
+        Stations that are matched, both strictly increasing, from 0 to n - 1.
+    """
+    count = len(cost)
+    station = np.arange(count)
+    tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
+    paths = Paths(_prices(cost + tilt), np.zeros(1, dtype=np.intp), count - 1)
+    return paths.trace(0)

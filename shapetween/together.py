@@ -1,0 +1,174 @@
+"""Drawings of many shapes that move together."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from shapetween.aboard import RidingPart, ShownPart
+from shapetween.arrays import Mask, Points
+from shapetween.drawing import Shape
+from shapetween.errors import OutlineError
+from shapetween.fill import FillSettings, morph_fill
+from shapetween.flow import Flow, drawing_flow, resting_flow
+from shapetween.movement import Part
+from shapetween.overlaps import shared_areas
+from shapetween.paint import Style
+from shapetween.pairing import pair_shapes
+from shapetween.parts import FilledPart
+from shapetween.ridden import brought, ride_fill, ride_line, ride_lone
+from shapetween.silhouette import Areas, covered_by
+from shapetween.stacking import stacked
+from shapetween.stroking import outlined
+
+__all__ = ["move_together"]
+
+#: Share of a shape without a partner that lies on another one for it to go with that one.
+HELD = 0.8
+
+
+def move_together(
+    first: Sequence[Shape],
+    second: Sequence[Shape],
+    boxes: tuple[Points, Points],
+    settled: Sequence[tuple[int, int]],
+    settings: FillSettings,
+    names: tuple[str, str],
+    *,
+    together: bool,
+) -> tuple[tuple[Part, ...], FilledPart | None, tuple[str, ...]]:
+    """The movement between two drawings' shapes.
+
+    Parameters
+    ----------
+    first, second : sequence of Shape
+        In paint order and one frame, each either filled or stroked along lines.
+    boxes : ((2, 2) float64, (2, 2) float64)
+        What is shown of each drawing, as least and greatest corners.
+    settled : sequence of (int, int)
+        Shapes that become each other because the user says so.
+    settings : FillSettings
+    names : tuple of str
+        What messages call the drawings.
+    together : bool
+        Whether shapes ride on the movement of the whole drawing; else each moves by itself.
+
+    Returns
+    -------
+    parts : tuple of Part
+        In paint order.
+    carrier : FilledPart or None
+        The silhouette that they ride on.
+    warnings : tuple of str
+    """
+    rides = together and settings.folds == "prevent"
+    if len(first) == len(second) == 1:
+        return _move_one(first[0], second[0], boxes, settings, names, rides=rides)
+    flow = drawing_flow(first, second, boxes, settings) if rides else resting_flow(first, second)
+    hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
+    areas = covered_by(first), covered_by(second)
+    pairing = pair_shapes(
+        first,
+        second,
+        flow.lanes[0].extents[1],
+        settled,
+        brought=[brought(shape, flow) for shape in first],
+        shared=shared_areas(areas, flow),
+        barred=hidden[0][:, None] != hidden[1],
+    )
+    said: list[str] = []
+    pairs: dict[tuple[int, int], tuple[Part, ...]] = {}
+    for i, j in pairing.pairs:
+        lines = first[i].style.fill is None and second[j].style.fill is None
+        meshed = settings.has_mesh(first[i].name or second[j].name)
+        if not lines and (meshed or not rides):
+            part, more = morph_fill(*_areas(first[i], second[j]), settings, names, alone=False)
+            pairs[i, j] = (part,)
+        else:
+            pairs[i, j], more = _ride(first[i], second[j], flow, names)
+        said += more
+    parts: list[Part] = []
+    for layer in stacked(areas, pairing):
+        source, target = layer.source, layer.target
+        if source is not None and target is not None:
+            there = pairs[source, target]
+            always = layer.shown == (0.0, 1.0)
+            parts += there if always else [ShownPart(part, layer.shown) for part in there]
+        elif source is not None:
+            parts.append(ride_lone(first[source], flow, False, _host(source, 0, areas, pairs)))
+        elif target is not None:
+            parts.append(ride_lone(second[target], flow, True, _host(target, 1, areas, pairs)))
+    return tuple(parts), _carrier(flow), tuple(said)
+
+
+def _host(
+    lone: int,
+    end: int,
+    areas: tuple[Areas, Areas],
+    pairs: dict[tuple[int, int], tuple[Part, ...]],
+) -> RidingPart | None:
+    """The topmost shape with a partner that a shape without one lies on."""
+    import shapely
+
+    area = areas[end][lone]
+    below = sorted((pair for pair in pairs if pair[end] < lone), key=lambda p: -p[end])
+    for pair in below:
+        part, held = pairs[pair][0], areas[end][pair[end]]
+        if not isinstance(part, RidingPart) or not shapely.intersects(held, area):
+            continue
+        if shapely.intersection(held, area).area >= HELD * area.area:
+            return part
+    return None
+
+
+def _move_one(
+    first: Shape,
+    second: Shape,
+    boxes: tuple[Points, Points],
+    settings: FillSettings,
+    names: tuple[str, str],
+    *,
+    rides: bool,
+) -> tuple[tuple[Part, ...], FilledPart | None, tuple[str, ...]]:
+    """Two shapes that are all of their drawings: an area moves by itself, as do open lines."""
+    if first.style.fill is not None or second.style.fill is not None:
+        part, said = morph_fill(*_areas(first, second), settings, names, alone=True)
+        return (part,), None, said
+    # What an open line goes round is no silhouette.
+    closed = all(ring.closed for ring in (*first.rings, *second.rings))
+    flow = resting_flow([first], [second])
+    if rides and closed:
+        flow = drawing_flow([first], [second], boxes, settings)
+    parts, said = _ride(first, second, flow, names)
+    return parts, _carrier(flow), said
+
+
+def _carrier(flow: Flow) -> FilledPart | None:
+    return FilledPart("", (Style(), Style()), flow.bodies) if flow.bodies else None
+
+
+def _hidden(shapes: Sequence[Shape], box: Points) -> Mask:
+    """Which shapes lie wholly outside what is shown, (N,)."""
+    boxes = [np.array([ring.box for ring in shape.rings]) for shape in shapes]
+    low = np.array([corners[:, 0].min(axis=0) for corners in boxes])
+    high = np.array([corners[:, 1].max(axis=0) for corners in boxes])
+    return np.asarray(((high < box[0]) | (low > box[1])).any(axis=1))
+
+
+def _areas(first: Shape, second: Shape) -> tuple[Shape, Shape]:
+    """Both filled; a line that becomes an area becomes its own outline first."""
+    one, other = (outlined(s) if s.style.fill is None else s for s in (first, second))
+    return one, other
+
+
+def _ride(
+    first: Shape, second: Shape, flow: Flow, names: tuple[str, str]
+) -> tuple[tuple[Part, ...], tuple[str, ...]]:
+    if first.style.fill is not None or second.style.fill is not None:
+        try:
+            part, said = ride_fill(*_areas(first, second), flow, names)
+        except OutlineError:
+            pass  # what encloses nothing shows its stroke at most
+        else:
+            return (part,), said
+    line, lone = ride_line(first, second, flow)
+    return (line, *lone), ()
