@@ -13,7 +13,7 @@ import numpy as np
 
 from shapetween.arrays import Curves, Floats, Mask, Points
 from shapetween.geometry.bezier import evaluate, sub_curves
-from shapetween.geometry.linearmaps import as_complex
+from shapetween.geometry.linearmaps import LinearMaps, as_complex
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.nearby import Parts
@@ -75,8 +75,136 @@ class _Whole:
         linear = _linear(moved[:, None, 1:], np.full(1, self.reach))[:, 0]
         a = (linear[:, 0, 0] + linear[:, 1, 1]) / 2
         b = (linear[:, 1, 0] - linear[:, 0, 1]) / 2
-        similar = LinearMaps(ratio, np.zeros_like(ratio)).matrices
+        similar = np.stack([np.stack([a, -b], axis=-1), np.stack([b, a], axis=-1)], axis=-2)
+        turned = self.offsets @ np.swapaxes(similar, 1, 2)[:, None]
+        return np.asarray(moved[:, None, :1] + turned)
 
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Soft:
+    """Curves carried joint by joint."""
+
+    held: Held
+    handles: Points
+    reach: Floats
+    closed: bool
+    straight: Mask
+    shares: Floats
+
+    @classmethod
+    def of(cls, curves: Curves, plane: Plane, arrives: bool, closed: bool) -> "_Soft":
+        joints = curves[:, 0] if closed else np.concatenate([curves[:, 0], curves[-1:, 3]])
+        lengths = np.linalg.norm(np.diff(curves, axis=1), axis=2).sum(axis=1)
+        before = np.roll(lengths, 1) if closed else np.concatenate([lengths[:1], lengths])
+        after = lengths if closed else np.concatenate([lengths, lengths[-1:]])
+        reach = REACH * np.maximum((before + after) / 2, 1e-3 * float(lengths.max()))
+        star = joints[:, None] + reach[:, None, None] * _STAR
+        held = plane.hold(np.concatenate([joints, star.reshape(-1, 2)]), arrives)
+        handles = np.stack([curves[:, 1] - curves[:, 0], curves[:, 2] - curves[:, 3]], axis=1)
+        chord = curves[:, 3] - curves[:, 0]
+        size = (chord**2).sum(-1)
+        shares = ((curves[:, 1:3] - curves[:, :1]) * chord[:, None]).sum(-1)
+        shares = shares / np.where(size > 0, size, 1.0)[:, None]
+        return cls(held, handles, reach, closed, _straight(curves), shares)
+
+    def at(self, t: Floats) -> Curves:
+        moved = self.held.at(t)
+        count = len(self.reach)
+        joints, star = moved[:, :count], moved[:, count:].reshape(len(t), count, STAR, 2)
+        linear = _linear(star, self.reach)
+        pieces = len(self.handles)
+        first, last = np.arange(pieces), (np.arange(pieces) + 1) % count
+        start, end = joints[:, first], joints[:, last]
+        one = start + (linear[:, first] @ self.handles[:, 0, :, None])[..., 0]
+        two = end + (linear[:, last] @ self.handles[:, 1, :, None])[..., 0]
+        on = start[:, :, None] + self.shares[..., None] * (end - start)[:, :, None]
+        one = np.where(self.straight[:, None], on[:, :, 0], one)
+        two = np.where(self.straight[:, None], on[:, :, 1], two)
+        return np.stack([start, one, two, end], axis=2)
+
+
+def _linear(star: Points, reach: Floats) -> Floats:
+    """Linear map about each joint that best takes the star there, (F, J, 2, 2)."""
+    scale = 2 / STAR / np.where(reach > 0, reach, 1.0)
+    return np.asarray(np.einsum("fjkd,ke->fjde", star, _STAR) * scale[:, None, None])
+
+
+def _carriage(curves: Curves, plane: Plane, arrives: bool, closed: bool, compact: bool) -> Carriage:
+    if compact:
+        return _Whole.of(curves, plane, arrives)
+    return _Soft.of(curves, plane, arrives, closed)
+
+
+def is_compact(curves: Curves, extent: float) -> bool:
+    """Whether curves are small beside a plane of an extent."""
+    return float(np.linalg.norm(np.ptp(curves.reshape(-1, 2), axis=0))) <= COMPACT * extent
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rider:
+    """A line or ring that rides on a plane and becomes another on the way.
+
+    Attributes
+    ----------
+    source, target : (P, 4, 2) float64
+        Matched parts of the two outlines' own curves.
+    closed : bool
+    angle : float
+        Angle by which it turns more than its plane, radians.
+    """
+
+    source: Curves
+    target: Curves
+    closed: bool
+    angle: float
+    _carriages: tuple[Carriage, Carriage]
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in its one ring."""
+        return (len(self.source),)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2); the outlines' own at 0 and 1."""
+        result = self._blended(t)[0]
+        result[:, 1:, 0] = result[:, :-1, 3]  # equal but for rounding
+        if self.closed:
+            result[:, 0, 0] = result[:, -1, 3]
+        result[t == 0], result[t == 1] = self.source, self.target
+        return result
+
+    def leads(self, points: Points, t: Floats, arrives: bool) -> Points:
+        """Points (F, K, 2) that the plane alone has brought there, where the rider takes them.
+
+        What lies on a rider goes with it also where it leaves the plane's way: by the affine map
+        that takes what the plane makes of the rider's own end to the rider as it is.
+        """
+        result, ends = self._blended(t)
+        given = ends[arrives].reshape(len(t), -1, 2)
+        middles = given.mean(axis=1, keepdims=True), result.mean(axis=(1, 2))[:, None]
+        linear = _affine(given - middles[0], result.reshape(len(t), -1, 2) - middles[1])
+        return np.asarray((points - middles[0]) @ np.swapaxes(linear, 1, 2) + middles[1])
+
+    def _blended(self, t: Floats) -> tuple[Curves, tuple[Curves, Curves]]:
+        """The curves at the times (F,), and both ends as the plane alone carries them."""
+        time = t[:, None, None, None]
+        start, end = ends = self._carriages[0].at(t), self._carriages[1].at(t)
+        if self.angle:
+            start = _about(start, t * self.angle)
+            end = _about(end, (t - 1) * self.angle)
+        return np.asarray((1 - time) * start + time * end), ends
+
+
+def _affine(source: Points, target: Points) -> Floats:
+    """Linear maps that best take points (F, N, 2) about 0 to others, (F, 2, 2).
+
+    Where such a map would turn the plane over, or stretch one way far more than the other, the
+    similarity that does.
+    """
+    p, q = as_complex(source), as_complex(target)
+    spread = (np.abs(p) ** 2).sum(axis=1)
+    ratio = (np.conj(p) * q).sum(axis=1) / np.where(spread > 0, spread, 1.0)
+    similar = LinearMaps(ratio, np.zeros_like(ratio)).matrices
     moments = np.swapaxes(source, 1, 2) @ source
     low, high = np.moveaxis(np.linalg.eigvalsh(moments), -1, 0)
     known = low > FLAT * high
