@@ -19,6 +19,7 @@ __all__ = [
     "fresh_frames",
     "read_bytes",
     "read_text",
+    "same_file",
     "write_frames",
     "write_text",
 ]
@@ -81,23 +82,24 @@ def check_outputs(outputs: Sequence[Path], inputs: Sequence[Path]) -> None:
             _check_parent(output)
             for_frames = output.is_dir()
         for path in inputs:
-            if _same(output, path):
+            if same_file(output, path):
                 raise OptionError(f"{output}: is an input; expected another name for the output")
             if for_frames and any(_is_frame(p, output) for p in (path, path.resolve())):
                 raise OptionError(
                     f"{path}: is an input, and frames written to {output} would replace it; "
                     "expected another folder"
                 )
-        if any(_same(output, path) for path in outputs[:k]):
+        if any(same_file(output, path) for path in outputs[:k]):
             raise OptionError(f"{output}: is written twice; expected two names")
 
 
 def _is_frame(path: Path, folder: Path) -> bool:
     """Whether a file is in the folder, and named as frames are."""
-    return bool(_FRAME.fullmatch(path.stem)) and _same(path.parent, folder)
+    return bool(_FRAME.fullmatch(path.stem)) and same_file(path.parent, folder)
 
 
-def _same(a: Path, b: Path) -> bool:
+def same_file(a: Path, b: Path) -> bool:
+    """Whether two names are those of one file, be it there or not."""
     try:
         return a.samefile(b)
     except OSError:  # one of them is not there

@@ -115,6 +115,7 @@ def batch(
         raise OptionError("--jobs counts processes of this machine; a --dask cluster has its own")
     _check_easing(options["easing"])
     if table is not None:
+        _check_kept(table, folder)
         jobs = _jobs_of(table, options)
     elif paired is not None:
         jobs = pairs_in(paired, options)
@@ -158,6 +159,17 @@ def batch(
         raise OptionError(f"{failed} of {len(jobs)} pairs failed, the first: {first}; see {see}")
     if not quiet:
         click.echo(f"wrote {len(jobs)} pairs and their summary to {folder}")
+
+
+def _check_kept(table: Path, folder: Path) -> None:
+    """Check that the summary does not replace the table."""
+    from shapetween import files
+    from shapetween.batch.ledger import Ledger
+
+    if any(files.same_file(place, table) for place in Ledger(folder).places):
+        raise OptionError(
+            f"{table}: is an input, and the summary would replace it; expected another name"
+        )
 
 
 def _jobs_of(table: Path, options: dict[str, Any]) -> list[Any]:

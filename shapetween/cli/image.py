@@ -157,7 +157,7 @@ def image(
         megapixels = settings["max_megapixels"] or load.DEFAULT_MEGAPIXELS
         with run("read"):
             first = load.read_picture(a, megapixels)
-            second = first if _same(a, b) else load.read_picture(b, megapixels)
+            second = first if files.same_file(a, b) else load.read_picture(b, megapixels)
             behind = _background(background, megapixels)
             moving = sources.read_moving(
                 (first, second), quads=quads, mesh=mesh, outlines=outlines, observe=run
@@ -256,10 +256,6 @@ def _timing(count: int | None, fps: float | None, duration: float | None) -> tup
     elif fps is None:
         fps = count / duration if duration else DEFAULT_FPS
     return count, fps
-
-
-def _same(a: Path, b: Path) -> bool:
-    return a == b or (a.exists() and b.exists() and a.samefile(b))
 
 
 def _size(

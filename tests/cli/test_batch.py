@@ -48,6 +48,15 @@ def test_options_of_all_and_of_a_row(run: Command, table: Path, tmp_path: Path) 
     assert y == (tmp_path / "y.svg").read_text("utf-8")
 
 
+def test_the_summary_does_not_replace_the_table(run: Command, tmp_path: Path) -> None:
+    (tmp_path / "summary.csv").write_text("a,b\na.svg,b.svg\n", "utf-8")
+    result = run("batch summary.csv -o . -j 1")
+    assert result.code == 2
+    assert "summary.csv: is an input" in result.err
+    assert not result.made
+    assert run("batch summary.csv -o out -j 1 --folds allow").made == OUT
+
+
 def test_folders(run: Command, tmp_path: Path) -> None:
     assert run("batch --all-in . -o out -j 1 --folds allow").made == OUT
     (tmp_path / "c_a.svg").write_text(svg(SQUARE), "utf-8")
