@@ -9,15 +9,12 @@ from shapetween.body import Carried
 from shapetween.geometry.bezier import flatten
 from shapetween.outline import Outline
 from shapetween.plane.mesh import PlaneMesh
+from shapetween.riding import held_by
 
 __all__ = ["Passenger"]
 
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
-
-#: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Its
-#: handles may stick out a little; what lies beyond the mesh would be flung about.
-BEYOND = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,22 +120,8 @@ class _Ride:
     @classmethod
     def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride | None":
         """Find each point's triangle; None if one lies outside the plane mesh."""
-        vertices = mesh.target if arrives else mesh.source
-        corners = vertices[mesh.triangles]
-        first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-        area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
-        sound = np.abs(area) > 0
-        inverse = np.zeros((len(area), 2, 2))
-        inverse[sound] = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
-        offsets = points[:, None] - corners[:, 0]
-        local = np.einsum("tij,ptj->pti", inverse, offsets)
-        weights = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
-        # The triangle whose least weight is greatest holds the point, or is nearest to holding it.
-        least = np.where(sound & ~mesh.turned, weights.min(axis=-1), -np.inf)
-        chosen = least.argmax(axis=1)
-        if least.max(axis=1).min() < -BEYOND:
-            return None
-        return cls(on, mesh.triangles[chosen], weights[np.arange(len(points)), chosen])
+        corners, weights, beyond = held_by(mesh, points, arrives)
+        return None if beyond.any() else cls(on, corners, weights)
 
     def at(self, vertices: Points) -> Points:
         return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))

@@ -62,16 +62,22 @@ def held_by(mesh: PlaneMesh, points: Points, arrives: bool) -> tuple[Index, Floa
     sound = (np.abs(area) > 0) & ~mesh.turned
     inverse = np.zeros((len(area), 2, 2))
     inverse[sound] = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
+    # What lies in a triangle lies in its box: few of them are near points that lie together.
+    near = sound & (corners.min(axis=1) <= points.max(axis=0)).all(axis=1)
+    near &= (corners.max(axis=1) >= points.min(axis=0)).all(axis=1)
     index = np.zeros(len(points), dtype=np.intp)
-    weights = np.zeros((len(points), 3))
-    parts = 1 + len(points) * len(area) // CELLS_AT_ONCE
-    for some in np.array_split(np.arange(len(points)), parts):
-        offsets = points[some, None] - corners[:, 0]
-        local = np.einsum("tij,ptj->pti", inverse, offsets)
-        shares = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
-        # The triangle whose least weight is greatest holds the point, or is nearest to holding it.
-        chosen = np.where(sound, shares.min(axis=-1), -np.inf).argmax(axis=1)
-        index[some], weights[some] = chosen, shares[np.arange(len(some)), chosen]
+    weights = np.full((len(points), 3), -np.inf)
+    for faces in (np.flatnonzero(near), np.flatnonzero(sound)):
+        left = np.flatnonzero(weights.min(axis=1) < 0)
+        if not len(left) or not len(faces):
+            continue
+        for some in np.array_split(left, 1 + len(left) * len(faces) // CELLS_AT_ONCE):
+            offsets = points[some, None] - corners[faces, 0]
+            local = np.einsum("tij,ptj->pti", inverse[faces], offsets)
+            shares = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
+            # The triangle whose least weight is greatest holds the point, or is nearest to it.
+            chosen = shares.min(axis=-1).argmax(axis=1)
+            index[some], weights[some] = faces[chosen], shares[np.arange(len(some)), chosen]
     return mesh.triangles[index], weights, np.asarray(weights.min(axis=1) < -BEYOND)
 
 
