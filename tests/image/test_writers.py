@@ -201,3 +201,24 @@ def test_video_when_ffmpeg_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     with pytest.raises(OptionError, match="ffmpeg failed: no such codec"):
         write_video(tmp_path / "a.mp4", frames(), Clock(COUNT, 25.0, repeats=False))
     assert not (tmp_path / "a.mp4").exists()
+
+
+def test_pixels_that_stay_do_not_flicker_in_a_gif(tmp_path: Path) -> None:
+    """A small square crosses a ramp of more colours than a palette has."""
+    rows, columns = np.indices((64, 64))
+    ramp = np.stack([4 * rows, 4 * columns, 2 * (rows + columns)], axis=-1).astype(np.uint8)
+    shown = []
+    for k in range(5):
+        frame = ramp.copy()
+        frame[10 * k : 10 * k + 12, 10 * k : 10 * k + 12] = (255, 40 * k, 0)
+        shown.append(frame)
+    writer_for(tmp_path / "a.gif")(tmp_path / "a.gif", iter(shown), Clock(5, 10, repeats=True))
+    found = []
+    with Image.open(tmp_path / "a.gif") as image:
+        for k in range(5):
+            image.seek(k)
+            found.append(np.array(image.convert("RGB")))
+    for k in range(4):
+        still = (shown[k] == shown[k + 1]).all(axis=2)
+        assert (found[k][still] == found[k + 1][still]).all()
+        assert np.abs(found[k].astype(int) - shown[k]).mean() < 9

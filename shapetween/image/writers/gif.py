@@ -1,4 +1,6 @@
-"""Animated GIF, frame by frame, each with a palette of its own.
+"""Animated GIF, frame by frame, each with a palette of its own for the pixels that change.
+
+Pixels that stay as they were are left alone: painted anew with another palette they would flicker.
 
 Pillow finds the palettes and compresses; the file around the frames is made here, because
 Pillow's own wants all frames at once.
@@ -14,6 +16,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from shapetween.arrays import Mask
 from shapetween.errors import OptionError
 from shapetween.files import fresh_file
 from shapetween.image.light import Bytes
@@ -28,7 +31,7 @@ HUNDREDTHS, LEAST_TICKS = 100, 2
 #: Widest and highest picture that GIF can hold.
 LARGEST = 65535
 
-#: Colours of a palette; with transparency the last stands for it.
+#: Numbers of colours; the last one stands for what is not painted.
 COLOURS = 256
 
 KEEP, CLEAR = 1, 2
@@ -56,33 +59,40 @@ def write_gif(path: Path, frames: Iterable[Bytes], clock: Clock) -> None:
                 if clock.repeats:
                     file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\0\0\0")
             # A frame can paint over the one before but not erase it, unless that one clears itself.
-            patch = patch_between(before if channels == 3 else None, frame)
+            below = before if channels == 3 else None
+            patch = patch_between(below, frame)
             ticks = max(LEAST_TICKS, clock.ticks(k, HUNDREDTHS))
-            _write_control(file, ticks, transparent=channels == 4)
-            table, data = _compressed(patch.of(frame))
+            _write_control(file, ticks, CLEAR if channels == 4 else KEEP)
+            pixels = patch.of(frame)
+            if channels == 4:
+                painted = pixels[..., 3] >= 128
+            elif below is None:
+                painted = np.ones(pixels.shape[:2], bool)
+            else:
+                painted = (patch.of(below) != pixels).any(axis=2)
+            table, data = _compressed(pixels[..., :3], painted)
             place = (patch.left, patch.top, patch.width, patch.height)
             file.write(b"\x2c" + struct.pack("<HHHHB", *place, 0x87) + table + data)
             before = frame
         file.write(b"\x3b")
 
 
-def _write_control(file: BinaryIO, ticks: int, *, transparent: bool) -> None:
-    flags = CLEAR << 2 | 1 if transparent else KEEP << 2
-    index = COLOURS - 1 if transparent else 0
-    file.write(b"\x21\xf9\x04" + struct.pack("<BHB", flags, ticks, index) + b"\0")
+def _write_control(file: BinaryIO, ticks: int, afterwards: int) -> None:
+    flags = afterwards << 2 | 1
+    file.write(b"\x21\xf9\x04" + struct.pack("<BHB", flags, ticks, COLOURS - 1) + b"\0")
 
 
-def _compressed(pixels: Bytes) -> tuple[bytes, bytes]:
-    """The palette, 768 bytes, and the compressed indices of an image."""
+def _compressed(pixels: Bytes, painted: Mask) -> tuple[bytes, bytes]:
+    """The palette, 768 bytes, and the compressed indices of an image, (H, W, 3), or parts of it."""
     image = pillow()
-    transparent = pixels.shape[2] == 4
-    colours = image.fromarray(np.ascontiguousarray(pixels[..., :3]))
-    paletted = colours.quantize(COLOURS - transparent, image.Quantize.MEDIANCUT)
+    colours = image.fromarray(np.ascontiguousarray(pixels))
+    counted = pixels[painted] if painted.any() else pixels[:1, 0]
+    paletted = image.fromarray(np.ascontiguousarray(counted[None]))
+    paletted = paletted.quantize(COLOURS - 1, image.Quantize.MEDIANCUT)
     # Found first, then dithered to: asked for both at once Pillow does not dither.
     paletted = colours.quantize(palette=paletted, dither=image.Dither.FLOYDSTEINBERG)
     indices = np.array(paletted)
-    if transparent:
-        indices[pixels[..., 3] < 128] = COLOURS - 1
+    indices[~painted] = COLOURS - 1
     table = bytes(paletted.getpalette("RGB") or b"").ljust(3 * COLOURS, b"\0")[: 3 * COLOURS]
     plain = image.fromarray(indices)
     plain.putpalette(table)
