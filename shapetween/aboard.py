@@ -11,6 +11,7 @@ from shapetween.gradients import has_gradient, moved_style
 from shapetween.movement import Part
 from shapetween.paint import Style
 from shapetween.riders import Leaver, Rider, Tip
+from shapetween.riding import Plane
 from shapetween.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["LonePart", "RidingPart", "ShownPart"]
@@ -32,6 +33,8 @@ class RidingPart:
         Rings that become each other, and pieces and holes that open and close.
     closed : tuple of bool
         Which of the rings are closed.
+    plane : Plane
+        What it rides on.
     motion : WholeMotion or None
         What gradients follow.
     """
@@ -40,6 +43,7 @@ class RidingPart:
     styles: tuple[Style, Style]
     riders: tuple[Rider | Leaver, ...]
     closed: tuple[bool, ...]
+    plane: Plane
     motion: WholeMotion | None = None
 
     @classmethod
@@ -49,13 +53,14 @@ class RidingPart:
         styles: tuple[Style, Style],
         riders: tuple[Rider | Leaver, ...],
         closed: tuple[bool, ...],
+        plane: Plane,
     ) -> "RidingPart":
         """A part whose gradients follow its riders."""
         motion = None
         if any(map(has_gradient, styles)):
             curves = np.concatenate([rider.curves(MOTION_TIMES) for rider in riders], axis=1)
             motion = WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
-        return cls(name, styles, riders, closed, motion)
+        return cls(name, styles, riders, closed, plane, motion)
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -85,6 +90,8 @@ class LonePart:
         Which of the rings are closed.
     arrives : bool
         Whether it is whole at the end; else at the start.
+    plane : Plane
+        What it rides on.
     """
 
     name: str
@@ -92,6 +99,7 @@ class LonePart:
     riders: tuple[Leaver | Tip, ...]
     closed: tuple[bool, ...]
     arrives: bool
+    plane: Plane
 
     @property
     def rings(self) -> tuple[int, ...]:

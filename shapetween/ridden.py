@@ -60,7 +60,7 @@ def ride_fill(
     riders += [_leave(after[j], True, lane) for j in pairing[2]]
     name = first.name or second.name
     closed = (True,) * sum(len(rider.counts) for rider in riders)
-    part = RidingPart.of(name, (first.style, second.style), tuple(riders), closed)
+    part = RidingPart.of(name, (first.style, second.style), tuple(riders), closed, lane.plane)
     return part, (*said_a, *said_b)
 
 
@@ -74,6 +74,7 @@ def ride_line(first: Shape, second: Shape, flow: Flow) -> tuple[RidingPart, list
         (first.style, second.style),
         tuple(riders),
         tuple(rider.closed for rider in riders),
+        lane.plane,
     )
     alone = (
         [Shape((first.rings[i],), first.style) for i in gone],
@@ -109,7 +110,7 @@ def ride_lone(shape: Shape, flow: Flow, arrives: bool, host: RidingPart | None =
                 if ring.closed
                 else Tip.of(ring.curves, *where)
             )
-    return LonePart(shape.name, shape.style, tuple(riders), tuple(closed), arrives)
+    return LonePart(shape.name, shape.style, tuple(riders), tuple(closed), arrives, lane.plane)
 
 
 def _regions(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
