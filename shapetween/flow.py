@@ -20,7 +20,7 @@ from shapetween.pairing import Thing, pair_things
 from shapetween.regions import Region
 from shapetween.riding import AffinePlane, MeshPlane, Plane
 from shapetween.ring import match_outer
-from shapetween.silhouette import silhouette
+from shapetween.silhouette import Areas, silhouette
 from shapetween.unfold import TOLERANCES, unfolded
 
 __all__ = ["Flow", "Lane", "drawing_flow", "resting_flow"]
@@ -28,6 +28,9 @@ __all__ = ["Flow", "Lane", "drawing_flow", "resting_flow"]
 #: Residual of an affine map between two drawings of the same structure, as a share of their
 #: extent, up to which they are affine images of each other.
 AFFINE = 1e-6
+
+#: Share of its box that an outline covers to count as that box.
+BOX = 0.95
 
 #: Chords of a silhouette's curve, which are straight or short, when it is looked at.
 CHORDS = 2
@@ -95,6 +98,7 @@ def resting_flow(first: Sequence[Shape], second: Sequence[Shape]) -> Flow:
 def drawing_flow(
     first: Sequence[Shape],
     second: Sequence[Shape],
+    areas: tuple[Areas, Areas],
     boxes: tuple[Points, Points],
     settings: FillSettings,
 ) -> Flow:
@@ -104,6 +108,8 @@ def drawing_flow(
     ----------
     first, second : sequence of Shape
         In one frame.
+    areas : ((N,), (M,)) of shapely.Geometry
+        What each of them covers.
     boxes : ((2, 2) float64, (2, 2) float64)
         What is shown of each, as least and greatest corners.
     settings : FillSettings
@@ -113,8 +119,11 @@ def drawing_flow(
     if matrix is not None:
         return Flow((Lane(AffinePlane(matrix, ends[0].mean(axis=0)), ends),), exact=True)
     with settings.observe("silhouette"):
-        outlines = silhouette(first, boxes[0]), silhouette(second, boxes[1])
-    bodies = _matched(*outlines, settings) if all(outlines) else []
+        outlines = tuple(map(silhouette, (first, second), areas, boxes))
+    if all(len(side) == 1 and _is_box(side[0]) for side in outlines):
+        ends = outlines[0][0].curves.reshape(-1, 2), outlines[1][0].curves.reshape(-1, 2)
+        return Flow((Lane(AffinePlane(_boxes(*ends, even=False), ends[0].mean(axis=0)), ends),))
+    bodies = _matched(outlines[0], outlines[1], settings) if all(outlines) else []
     carried = _carried(bodies, settings)
     if not carried:
         return Flow((Lane(AffinePlane(_boxes(*ends), ends[0].mean(axis=0)), ends),))
@@ -156,13 +165,21 @@ def _affine(first: Sequence[Shape], second: Sequence[Shape]) -> Affine | None:
     return np.column_stack([linear, solution[2] - linear @ centre])
 
 
-def _boxes(first: Points, second: Points) -> Affine:
-    """The even scaling that takes one set of points' box to the other's."""
+def _is_box(outline: Outline) -> bool:
+    """Whether an outline is about a box that stands upright: a page, a flag."""
+    width, height = np.ptp(outline.box, axis=0).tolist()
+    return bool(outline.area >= BOX * width * height)
+
+
+def _boxes(first: Points, second: Points, *, even: bool = True) -> Affine:
+    """The scaling that takes one set of points' box to the other's."""
     boxes = [(p.min(axis=0), p.max(axis=0)) for p in (first, second)]
     sizes = [float(np.linalg.norm(high - low)) for low, high in boxes]
     scale = sizes[1] / sizes[0] if min(sizes) > 0 else 1.0
     middles = [(low + high) / 2 for low, high in boxes]
-    return np.column_stack([scale * np.eye(2), middles[1] - scale * middles[0]])
+    spans = [high - low for low, high in boxes]
+    scales = np.full(2, scale) if even else spans[1] / spans[0]
+    return np.column_stack([np.diag(scales), middles[1] - scales * middles[0]])
 
 
 def _matched(

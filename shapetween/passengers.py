@@ -9,7 +9,7 @@ from shapetween.body import Carried
 from shapetween.geometry.bezier import flatten
 from shapetween.outline import Outline
 from shapetween.plane.mesh import PlaneMesh
-from shapetween.riding import held_by
+from shapetween.riding import BEYOND, Finder
 
 __all__ = ["Passenger"]
 
@@ -120,8 +120,8 @@ class _Ride:
     @classmethod
     def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride | None":
         """Find each point's triangle; None if one lies outside the plane mesh."""
-        corners, weights, beyond = held_by(mesh, points, arrives)
-        return None if beyond.any() else cls(on, corners, weights)
+        corners, weights = Finder(mesh, arrives).find(points)
+        return None if weights.min() < -BEYOND else cls(on, corners, weights)
 
     def at(self, vertices: Points) -> Points:
         return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))

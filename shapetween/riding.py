@@ -8,17 +8,21 @@ from typing import Protocol
 
 import numpy as np
 
-from shapetween.arrays import Affine, Floats, Index, Mask, Points
+from shapetween.arrays import Affine, Floats, Index, Points
 from shapetween.body import VertexPath
 from shapetween.fit import inverted, mapped
+from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.plane.mesh import PlaneMesh
 
-__all__ = ["BEYOND", "AffinePlane", "Held", "MeshPlane", "Plane", "held_by"]
+__all__ = ["BEYOND", "AffinePlane", "Finder", "Held", "MeshPlane", "Plane"]
 
 #: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Its
 #: handles may stick out a little; what lies beyond the mesh would be flung about.
 BEYOND = 0.5
+
+#: Triangles about each point that are looked at before all are.
+NEIGHBOURS = 12
 
 #: Points times triangles that are looked at at once; more cost memory and are no quicker.
 CELLS_AT_ONCE = 2_000_000
@@ -38,47 +42,50 @@ class Plane(Protocol):
         """Take points (K, 2) aboard, as they are at the end if they arrive, else at the start."""
 
 
-def held_by(mesh: PlaneMesh, points: Points, arrives: bool) -> tuple[Index, Floats, Mask]:
-    """Triangles that hold points, and the points' weights in them.
+class Finder:
+    """Finds the triangles of a plane mesh that hold points.
 
     Parameters
     ----------
     mesh : PlaneMesh
-    points : (K, 2) float64
     arrives : bool
-        Whether they are places at the end; else at the start.
-
-    Returns
-    -------
-    corners : (K, 3) intp
-    weights : (K, 3) float64
-    beyond : (K,) bool
-        Which lie so far outside the mesh that no triangle holds them.
+        Whether the points are places at the end; else at the start.
     """
-    vertices = mesh.target if arrives else mesh.source
-    corners = vertices[mesh.triangles]
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
-    sound = (np.abs(area) > 0) & ~mesh.turned
-    inverse = np.zeros((len(area), 2, 2))
-    inverse[sound] = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
-    # What lies in a triangle lies in its box: few of them are near points that lie together.
-    near = sound & (corners.min(axis=1) <= points.max(axis=0)).all(axis=1)
-    near &= (corners.max(axis=1) >= points.min(axis=0)).all(axis=1)
-    index = np.zeros(len(points), dtype=np.intp)
-    weights = np.full((len(points), 3), -np.inf)
-    for faces in (np.flatnonzero(near), np.flatnonzero(sound)):
-        left = np.flatnonzero(weights.min(axis=1) < 0)
-        if not len(left) or not len(faces):
-            continue
-        for some in np.array_split(left, 1 + len(left) * len(faces) // CELLS_AT_ONCE):
-            offsets = points[some, None] - corners[faces, 0]
-            local = np.einsum("tij,ptj->pti", inverse[faces], offsets)
-            shares = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
-            # The triangle whose least weight is greatest holds the point, or is nearest to it.
-            chosen = shares.min(axis=-1).argmax(axis=1)
-            index[some], weights[some] = faces[chosen], shares[np.arange(len(some)), chosen]
-    return mesh.triangles[index], weights, np.asarray(weights.min(axis=1) < -BEYOND)
+
+    def __init__(self, mesh: PlaneMesh, arrives: bool) -> None:
+        from scipy.spatial import KDTree  # slow to import
+
+        corners = (mesh.target if arrives else mesh.source)[mesh.triangles]
+        first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        sound = (np.abs(cross(first, second)) > 0) & ~mesh.turned
+        self._triangles = mesh.triangles[sound]
+        self._origins = corners[sound, 0]
+        self._inverses = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
+        self._near = KDTree(corners[sound].mean(axis=1))
+
+    def find(self, points: Points) -> tuple[Index, Floats]:
+        """Corners (K, 3) of the triangles that hold points, and the points' weights in them.
+
+        Where no triangle does, the one that comes nearest to it, its weights reaching below 0.
+        """
+        count = min(NEIGHBOURS, len(self._triangles))
+        _, near = self._near.query(points, k=count)
+        chosen, weights = self._best(points, near.reshape(len(points), count))
+        missed = np.flatnonzero(weights.min(axis=1) < 0)
+        every = np.arange(len(self._triangles))
+        for some in np.array_split(missed, 1 + len(missed) * len(every) // CELLS_AT_ONCE):
+            among = np.broadcast_to(every, (len(some), len(every)))
+            chosen[some], weights[some] = self._best(points[some], among)
+        return self._triangles[chosen], weights
+
+    def _best(self, points: Points, among: Index) -> tuple[Index, Floats]:
+        """Of some triangles each, (K, T), those whose least weight is greatest."""
+        offsets = points[:, None] - self._origins[among]
+        local = (self._inverses[among] @ offsets[..., None])[..., 0]
+        weights = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
+        best = weights.min(axis=-1).argmax(axis=1)
+        row = np.arange(len(points))
+        return among[row, best], weights[row, best]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,12 +138,15 @@ class MeshPlane:
 
     mesh: PlaneMesh
     path: VertexPath
-    _known: tuple[bytes, Points] | None = field(default=None)
+    _known: tuple[bytes, Points] | None = None
+    _finders: dict[bool, Finder] = field(default_factory=dict)
 
     def hold(self, points: Points, arrives: bool) -> "Held":
         """Take points (K, 2) aboard; those beyond the mesh go with it as a whole."""
-        corners, weights, beyond = held_by(self.mesh, points, arrives)
-        loose = np.flatnonzero(beyond)
+        if arrives not in self._finders:
+            self._finders[arrives] = Finder(self.mesh, arrives)
+        corners, weights = self._finders[arrives].find(points)
+        loose = np.flatnonzero(weights.min(axis=1) < -BEYOND)
         start, end = self.mesh.poses
         local = (end if arrives else start).normalise(points[loose])
         if arrives:

@@ -1,7 +1,6 @@
 """The silhouette of a drawing: what its shapes cover together, as the few pieces it is seen as."""
 
 from collections.abc import Sequence
-from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -10,7 +9,8 @@ from shapetween.arrays import Points
 from shapetween.drawing import Shape
 from shapetween.geometry.bezier import flatten, line_curves
 from shapetween.outline import Outline
-from shapetween.paint import FillRule, Gradient, Paint, Stroke, Style
+from shapetween.overlay.area import filled_area
+from shapetween.paint import Gradient, Paint, Stroke, Style
 
 if TYPE_CHECKING:
     import shapely
@@ -42,24 +42,27 @@ LEAST_ALPHA = 0.4
 _CAPS = {"butt": "flat", "round": "round", "square": "square"}
 
 
-def silhouette(shapes: Sequence[Shape], box: Points) -> tuple[Outline, ...]:
+def silhouette(shapes: Sequence[Shape], areas: Areas, box: Points) -> tuple[Outline, ...]:
     """Outer outlines of what shapes cover together, the largest first; holes are filled.
 
     Parameters
     ----------
     shapes : sequence of Shape
+    areas : (N,) of shapely.Geometry
+        What each of them covers.
     box : (2, 2) float64
         Least and greatest corner of what is shown. What lies wholly outside does not count,
         unless all does.
     """
     import shapely
 
-    seen = [shape for shape in shapes if opaqueness(shape.style) >= LEAST_ALPHA] or list(shapes)
-    areas = np.array([area for shape in seen if not (area := covered(shape)).is_empty])
-    shown = shapely.intersects(areas, shapely.box(*box.ravel()))
-    if not len(areas):
+    drawn = ~shapely.is_empty(areas)
+    shown = drawn & shapely.intersects(areas, shapely.box(*box.ravel()))
+    solid = np.array([opaqueness(shape.style) >= LEAST_ALPHA for shape in shapes])
+    best = next((some for some in (shown & solid, shown, drawn) if some.any()), None)
+    if best is None:
         return ()
-    union = shapely.union_all(areas[shown] if shown.any() else areas)
+    union = shapely.union_all(areas[best])
     left, top, right, bottom = union.bounds
     size = float(np.hypot(right - left, bottom - top))
     gap = GAP * size / 2
@@ -82,13 +85,9 @@ def covered(shape: Shape) -> "shapely.Geometry":
     stroke, areas = shape.style.stroke, []
     if shape.style.fill is not None:
         loops = [_points(ring) for ring in shape.rings]
-        polygons = [
-            shapely.make_valid(shapely.Polygon(p), method="structure", keep_collapsed=False)
-            for p in loops
-            if len(p) > 2
-        ]
-        signs = [ring.area > 0 for ring, p in zip(shape.rings, loops, strict=True) if len(p) > 2]
-        areas.append(_filled(polygons, signs, shape.style.fill_rule))
+        area = filled_area(loops, shape.style.fill_rule)
+        # What crosses itself too often to be cut is taken for all that it goes round.
+        areas.append(_around(loops) if area is None else area)
     if stroke is not None and stroke.width > 0:
         areas += [_stroked(ring, stroke) for ring in shape.rings]
     return shapely.union_all(areas)
@@ -108,18 +107,11 @@ def _alpha(paint: Paint) -> float:
     return paint.alpha
 
 
-def _filled(
-    polygons: "Sequence[shapely.Geometry]", signs: Sequence[bool], rule: FillRule
-) -> "shapely.Geometry":
-    """About what a fill rule shows; of the nonzero rule, rings that run either way cut holes."""
+def _around(loops: Sequence[Points]) -> "shapely.Geometry":
     import shapely
 
-    if rule == "evenodd":
-        return reduce(shapely.symmetric_difference, polygons, shapely.Polygon())
-    largest = max(zip(polygons, signs, strict=True), key=lambda p: p[0].area, default=(None, True))
-    along = [p for p, sign in zip(polygons, signs, strict=True) if sign == largest[1]]
-    against = [p for p, sign in zip(polygons, signs, strict=True) if sign != largest[1]]
-    return shapely.difference(shapely.union_all(along), shapely.union_all(against))
+    polygons = [shapely.Polygon(loop) for loop in loops if len(loop) > 2]
+    return shapely.union_all([shapely.make_valid(polygon) for polygon in polygons])
 
 
 def _stroked(ring: Outline, stroke: Stroke) -> "shapely.Geometry":

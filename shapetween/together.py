@@ -63,9 +63,11 @@ def move_together(
     rides = together and settings.folds == "prevent"
     if len(first) == len(second) == 1:
         return _move_one(first[0], second[0], boxes, settings, names, rides=rides)
-    flow = drawing_flow(first, second, boxes, settings) if rides else resting_flow(first, second)
-    hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
     areas = covered_by(first), covered_by(second)
+    flow = resting_flow(first, second)
+    if rides:
+        flow = drawing_flow(first, second, areas, boxes, settings)
+    hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
     pairing = pair_shapes(
         first,
         second,
@@ -137,7 +139,8 @@ def _move_one(
     closed = all(ring.closed for ring in (*first.rings, *second.rings))
     flow = resting_flow([first], [second])
     if rides and closed:
-        flow = drawing_flow([first], [second], boxes, settings)
+        areas = covered_by([first]), covered_by([second])
+        flow = drawing_flow([first], [second], areas, boxes, settings)
     parts, said = _ride(first, second, flow, names)
     return parts, _carrier(flow), said
 
