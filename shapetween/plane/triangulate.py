@@ -62,7 +62,10 @@ def _delaunay(points: Points) -> Index:
     """Delaunay triangles of points in the plane, (T, 3); of points in line, some without area."""
     import shapely
 
-    found = shapely.get_coordinates(shapely.delaunay_triangles(shapely.multipoints(points)))
+    try:
+        found = shapely.get_coordinates(shapely.delaunay_triangles(shapely.multipoints(points)))
+    except shapely.errors.GEOSException:  # it loses its way among some points nearly on circles
+        return _delaunay_by_hull(points)
     if not len(found):
         raise MeshError("the points to triangulate lie on a line")
     known = as_complex(points)
@@ -71,6 +74,16 @@ def _delaunay(points: Points) -> Index:
     triangles = corners.reshape(-1, 4)[:, :3]  # a ring's last point is its first
     # All run the same way round, those without an area too.
     return triangles if polygon_area(points[triangles]).sum() > 0 else triangles[:, ::-1]
+
+
+def _delaunay_by_hull(points: Points) -> Index:
+    """The same by a convex hull one dimension up: slower, and never lost."""
+    from scipy.spatial import Delaunay
+
+    triangles = Delaunay(points).simplices.astype(np.intp)
+    turned = polygon_area(points[triangles]) < 0
+    triangles[turned] = triangles[turned][:, ::-1]
+    return triangles
 
 
 def triangle_edges(triangles: Index) -> tuple[Index, Index]:
