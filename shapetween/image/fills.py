@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from shapetween.aboard import LonePart, RidingPart, ShownPart
 from shapetween.arrays import Affine, Floats, Index, Mask, Points
 from shapetween.body import Carried, VertexPath
 from shapetween.drawing import Box
@@ -17,6 +18,7 @@ from shapetween.movement import Part
 from shapetween.paint import Style
 from shapetween.parts import FilledPart
 from shapetween.plane.keyed import KeyedMotion
+from shapetween.riding import Plane
 from shapetween.svg.textures import plain_texture, texture_svg
 
 __all__ = ["Fill", "fill_of"]
@@ -30,6 +32,10 @@ MOST_ENLARGED = 3
 
 #: Most pixels of one texture. A larger one is drawn coarser.
 MOST_PIXELS = 32_000_000
+
+#: Cells along each side of the grid for a shape without a mesh of its own, and room around the
+#: shape as a share of its extent. More cells cost time, fewer make the plane's bends edgy.
+GRID, GRID_MARGIN = 16, 0.3
 
 #: Extent of a shape at one end over that at the other, below which it is nothing there.
 NOTHING = 1e-6
@@ -91,6 +97,8 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     InputError
         If a texture cannot be drawn.
     """
+    while isinstance(part, ShownPart):  # what it is filled with while it is shown
+        part = part.part
     styles = [part.style(0.0), part.style(1.0)]
     if all(style.texture is None for style in styles):
         return None
@@ -146,8 +154,7 @@ def _mesh(part: Part, whole: int) -> tuple[VertexPath, Index]:
     bodies = part.bodies if isinstance(part, FilledPart) else ()
     meshes = [body.path.mesh for body in bodies if isinstance(body.path, KeyedMotion)]
     if not meshes or len(meshes) < len(bodies):
-        follower = _Follower(part, whole)
-        return follower, np.array([[0, 1, 2], [0, 2, 3]])
+        return _Grid.around(part, whole), _grid_triangles()
     first = np.cumsum([0, *(len(mesh.source) for mesh in meshes)]).tolist()
     triangles = []
     for mesh, start in zip(meshes, first, strict=False):
@@ -170,20 +177,62 @@ class _Bodies:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Follower:
-    """A box around a shape that moves, turns and grows with it as a whole."""
+class _Grid:
+    """A grid around a shape that goes along with the plane the shape rides on, and with the shape.
+
+    Attributes
+    ----------
+    part : Part
+    vertices_at_home : (V, 2) float64
+        Where the shape is whole.
+    outline : (K, 2) float64
+        Points of the shape there.
+    arrives : bool
+        Whether that is the end.
+    plane : Plane or None
+        None to go with the shape alone, as a whole.
+    """
 
     part: Part
-    whole: int
+    vertices_at_home: Points
+    outline: Points
+    arrives: bool
+    plane: Plane | None
+
+    @classmethod
+    def around(cls, part: Part, whole: int) -> "_Grid":
+        outline = part.curves(np.array([float(whole)])).reshape(-1, 2)
+        low, high = outline.min(axis=0), outline.max(axis=0)
+        room = GRID_MARGIN * float((high - low).max())
+        steps = np.linspace(0.0, 1.0, GRID + 1)[:, None]
+        x, y = ((low - room) + steps * (high - low + 2 * room)).T
+        grid = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+        plane = part.plane if isinstance(part, RidingPart | LonePart) else None
+        return cls(part, grid, outline, bool(whole), plane)
 
     def vertices(self, t: Floats) -> Points:
-        own = self.part.curves(np.array([float(self.whole)])).reshape(-1, 2) @ (1, 1j)
-        now = self.part.curves(t).reshape(len(t), -1, 2) @ (1, 1j)
-        centre, centres = own.mean(), now.mean(axis=1)
-        offsets = own - centre
-        # The best similarity in complex numbers: a turn and a size are one factor.
-        factor = (now - centres[:, None]) @ offsets.conj() / (offsets @ offsets.conj())
-        reach = 2 * np.abs(offsets).max()
-        corners = reach * np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
-        moved = centres[:, None] + factor[:, None] * corners
+        points = np.concatenate([self.vertices_at_home, self.outline])
+        if self.plane is None:
+            carried = np.repeat(points[None], len(t), axis=0)
+        else:
+            carried = self.plane.hold(points, self.arrives).at(t)
+        grid, outline = np.split(carried @ (1, 1j), [len(self.vertices_at_home)], axis=1)
+        shown = self.part.curves(t).reshape(len(t), -1, 2) @ (1, 1j)
+        # Where the shape leaves its plane, the grid goes with it by the best similarity: in complex
+        # numbers a turn and a size are one factor.
+        centres = outline.mean(axis=1, keepdims=True), shown.mean(axis=1, keepdims=True)
+        offsets = outline - centres[0]
+        spread = (np.abs(offsets) ** 2).sum(axis=1, keepdims=True)
+        factor = (offsets.conj() * (shown - centres[1])).sum(axis=1, keepdims=True)
+        factor = np.divide(factor, spread, out=np.zeros_like(factor), where=spread > 0)
+        moved = centres[1] + factor * (grid - centres[0])
         return np.stack([moved.real, moved.imag], axis=-1)
+
+
+def _grid_triangles() -> Index:
+    """Two triangles for each cell of a grid."""
+    row, column = np.divmod(np.arange(GRID * GRID), GRID)
+    corner = row * (GRID + 1) + column
+    right, below = corner + 1, corner + GRID + 1
+    halves = [[corner, right, below + 1], [corner, below + 1, below]]
+    return np.concatenate([np.stack(half, axis=1) for half in halves])

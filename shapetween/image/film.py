@@ -170,7 +170,7 @@ class Film:
         plain: list[Shape] = []
         for k, shape in enumerate(shot.shapes):
             fill = shot.fills.get(k)
-            if fill is None:
+            if fill is None or shape.style.fill is None:  # which is then not shown
                 plain.append(shape)
                 continue
             self._paint(canvas, plain)

@@ -169,6 +169,29 @@ def test_a_shape_that_leaves_takes_its_pattern_along(tmp_path: Path) -> None:
     assert 0.15 < seen < 0.4
 
 
+def test_patterns_of_many_shapes_ride_together(tmp_path: Path) -> None:
+    """Two shapes of a drawing that only turns: halfway both patterns have turned by half of it."""
+    parts = (
+        '<path id="el" fill="url(#p)" d="M60 60H160V100H100V160H60Z"/>'
+        '<circle id="dot" cx="150" cy="150" r="24" fill="url(#q)"/>'
+    )
+    more = STRIPES + STRIPES.replace('"p"', '"q"').replace("#136", "#631")
+
+    def turned(transform: str) -> str:
+        return svg(f'<defs>{more}</defs><g transform="{transform}">{parts}</g>')
+
+    shown = film(tmp_path, turned(""), turned("rotate(60 120 120)"))
+    frames = list(shown.frames())
+    assert psnr(frames[2], on_white(turned("rotate(60 120 120)"))) > 40
+    first, half = (
+        np.concatenate([shape.rings[0].curves[:, 0] for shape in drawing.shapes])
+        for drawing in shown.movements[0].at(np.array([0.0, 0.5]))
+    )
+    found = np.linalg.lstsq(np.c_[first, np.ones(len(first))], half, rcond=None)[0]
+    there = f"matrix({' '.join(map(str, found.ravel().tolist()))})"
+    assert psnr(frames[1], on_white(turned(there)), margin=3) > 25
+
+
 def test_several_drawings_follow_each_other(tmp_path: Path) -> None:
     texts = [filled(STRIPES), filled(DOTS), filled(STRIPES, "rotate(90 120 120)")]
     for k, text in enumerate(texts):
