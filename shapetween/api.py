@@ -142,6 +142,7 @@ def morph(
     mesh: MeshPair | Iterable[tuple[str, MeshPair]] = (),
     fit: Fit = "view",
     folds: Folds = "prevent",
+    together: bool = True,
     pictures: bool = False,
     observe: Observer = unobserved,
 ) -> Morph:
@@ -166,6 +167,9 @@ def morph(
         box, or not at all.
     folds : {"prevent", "allow"}
         Move the plane around a shape along, so that nothing folds, or the bare mesh alone.
+    together : bool
+        Let the shapes of a drawing ride on the movement of its silhouette; else each moves by
+        itself.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.image.film.Film` of the movement.
     observe : Observer, optional
@@ -184,6 +188,7 @@ def morph(
         meshes=(("", mesh),) if isinstance(mesh, MeshPair) else tuple(mesh),
         fit=fit,
         folds=folds,
+        together=together,
     )
     with observe("read"):
         drawings = opened(a, pictures), opened(b, pictures)

@@ -19,7 +19,7 @@ __all__ = ["Pairing", "Thing", "pair_shapes", "pair_things"]
 DISTANCE, SIZE, PAINT, ORDER, KIND, OPEN = 1.0, 0.35, 0.8, 0.15, 0.6, 0.25
 
 #: What two shapes cost that nowhere cover each other.
-OVERLAP = 0.8
+OVERLAP = 0.6
 
 #: What a factor e in the ratio of width to height costs, and the least share of its size that a
 #: thing is wide or high: a line's own width.
@@ -31,7 +31,7 @@ REACH = 0.15
 #: What leaving a thing without a partner costs, and what a pair as large as the drawing saves
 #: beside that. More, and strangers far apart become each other; less, and everything comes and
 #: goes.
-LEFT, LARGE = 0.5, 0.6
+LEFT, LARGE = 0.6, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)

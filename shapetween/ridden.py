@@ -25,6 +25,10 @@ CHORDS = 8
 #: of it could be told apart.
 SPECK = 0.02
 
+#: Size of a stroked ring without a partner, beside its plane's extent, from which on it does not
+#: open from a point but thickens where it is.
+OUTLINE = 0.5
+
 
 def brought(shape: Shape, flow: Flow) -> Thing:
     """Where the flow takes a shape of the source, and how large it makes it."""
@@ -105,8 +109,10 @@ def ride_lone(shape: Shape, flow: Flow, arrives: bool, host: RidingPart | None =
         for ring in shape.rings:
             closed.append(ring.closed)
             middle = np.asarray(ring.box.mean(axis=0))
+            # What goes round most of the drawing is its outline, and stays in place.
+            large = np.linalg.norm(np.ptp(ring.box, axis=0)) > OUTLINE * lane.extents[arrives]
             riders.append(
-                Leaver.of((ring.curves,), middle, *where)
+                Leaver.of((ring.curves,), middle, *where, shrinks=not large)
                 if ring.closed
                 else Tip.of(ring.curves, *where)
             )

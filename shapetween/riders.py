@@ -286,6 +286,8 @@ def _angle(source: Curves, target: Curves) -> float:
 class Leaver:
     """Rings that ride on a plane, whole at one end of the movement and a point at the other.
 
+    Or whole all the way, if it is their stroke alone that fades.
+
     Attributes
     ----------
     home : (P, 4, 2) float64
@@ -302,6 +304,7 @@ class Leaver:
     _carriage: Carriage
     _centre: Held
     _host: Rider | None
+    _shrinks: bool
 
     @classmethod
     def of(
@@ -312,6 +315,8 @@ class Leaver:
         plane: Plane,
         extent: float,
         host: Rider | None = None,
+        *,
+        shrinks: bool = True,
     ) -> "Leaver":
         """Take rings aboard that open from, or close to, a centre (2,), perhaps on a host."""
         home = np.concatenate(rings)
@@ -325,7 +330,7 @@ class Leaver:
                 tuple(_Soft.of(r, plane, arrives, c) for r, c in zip(rings, closed, strict=True))
             )
         held = plane.hold(centre[None], arrives)
-        return cls(home, tuple(len(ring) for ring in rings), arrives, carriage, held, host)
+        return cls(home, tuple(len(ring) for ring in rings), arrives, carriage, held, host, shrinks)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2)."""
@@ -336,7 +341,8 @@ class Leaver:
         if self._host is not None:
             moved = self._host.leads(moved, t, self.arrives)
         centre = moved[:, -1:]
-        shrunk = centre + size[:, None, None] * (moved[:, :-1] - centre)
+        scale = size[:, None, None] if self._shrinks else 1.0
+        shrunk = centre + scale * (moved[:, :-1] - centre)
         result = shrunk.reshape(len(t), *self.home.shape)
         result[size == 1] = self.home
         return np.asarray(result)

@@ -1,6 +1,7 @@
 """Drawings of many shapes that move together."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -96,30 +97,43 @@ def move_together(
             always = layer.shown == (0.0, 1.0)
             parts += there if always else [ShownPart(part, layer.shown) for part in there]
         elif source is not None:
-            parts.append(ride_lone(first[source], flow, False, _host(source, 0, areas, pairs)))
+            host = _host(source, areas[0], {pair[0]: p for pair, p in pairs.items()})
+            parts.append(ride_lone(_rooted(source, first, areas[0]), flow, False, host))
         elif target is not None:
-            parts.append(ride_lone(second[target], flow, True, _host(target, 1, areas, pairs)))
+            host = _host(target, areas[1], {pair[1]: p for pair, p in pairs.items()})
+            parts.append(ride_lone(_rooted(target, second, areas[1]), flow, True, host))
     return tuple(parts), _carrier(flow), tuple(said)
 
 
-def _host(
-    lone: int,
-    end: int,
-    areas: tuple[Areas, Areas],
-    pairs: dict[tuple[int, int], tuple[Part, ...]],
-) -> RidingPart | None:
+def _host(lone: int, areas: Areas, partnered: dict[int, tuple[Part, ...]]) -> RidingPart | None:
     """The topmost shape with a partner that a shape without one lies on."""
     import shapely
 
-    area = areas[end][lone]
-    below = sorted((pair for pair in pairs if pair[end] < lone), key=lambda p: -p[end])
-    for pair in below:
-        part, held = pairs[pair][0], areas[end][pair[end]]
-        if not isinstance(part, RidingPart) or not shapely.intersects(held, area):
+    area = areas[lone]
+    for below in sorted((k for k in partnered if k < lone), reverse=True):
+        part = partnered[below][0]
+        if not isinstance(part, RidingPart) or not shapely.intersects(areas[below], area):
             continue
-        if shapely.intersection(held, area).area >= HELD * area.area:
+        if shapely.intersection(areas[below], area).area >= HELD * area.area:
             return part
     return None
+
+
+def _rooted(lone: int, shapes: Sequence[Shape], areas: Areas) -> Shape:
+    """A shape whose open lines start at the end that is nearer to the rest of the drawing."""
+    import shapely
+
+    shape = shapes[lone]
+    rest = np.delete(areas, lone)
+    rest = rest[~shapely.is_empty(rest)]
+    if all(ring.closed for ring in shape.rings) or not len(rest):
+        return shape
+    rings = []
+    for ring in shape.rings:
+        ends = shapely.points([ring.curves[0, 0], ring.curves[-1, 3]])
+        start, end = (float(shapely.distance(rest, point).min()) for point in ends)
+        rings.append(ring.reversed() if end < start and not ring.closed else ring)
+    return replace(shape, rings=tuple(rings))
 
 
 def _move_one(
