@@ -207,7 +207,7 @@ def meshes_in_outlines(
 
     drawings = [_filled(_drawing(path)) for path in paths]
     try:
-        found = morph(drawings[0], drawings[1], observe=observe, **settings)
+        found = morph(drawings[0], drawings[1], together=False, observe=observe, **settings)
     except OutlineError as error:
         raise OutlineError(f"{paths[0]}, {paths[1]}: {error}") from error
     fits = [_over(drawing, picture) for drawing, picture in zip(drawings, pictures, strict=True)]
