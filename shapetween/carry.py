@@ -197,7 +197,8 @@ def _direction(vectors: Complex) -> Complex:
 def _squeezed(along: Complex, shares: Floats) -> LinearMaps:
     """Maps that take a share of the length along vectors away, and nothing across."""
     stretch = shares / 2 * _direction(along) ** 2
-    return LinearMaps(1 - shares / 2 + 0j, np.asarray(-stretch, dtype=np.complex128))
+    kept = (1 - shares / 2).astype(np.complex128)
+    return LinearMaps(kept, np.asarray(-stretch, dtype=np.complex128))
 
 
 class _Joints:

@@ -116,7 +116,7 @@ def _settings(
         if any(ring.coarse for ring in rings):
             yield _with_detail(nodes, settle(mesh, None, guide), method, led)
             return
-        settled = settle(mesh, nodes.simple, guide)
+        settled = settle(mesh, nodes.simple, guide, denser=tolerance != tolerances[-1])
         stiffness = settled.stiffness
         setting = (
             f"{method} in the plane: nodes within {tolerance:g}, outside {stiffness.outside:g}, "

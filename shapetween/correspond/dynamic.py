@@ -27,6 +27,9 @@ MOVES = (
     (8, 1),
 )
 
+#: Longest step of a move.
+REACH = max(map(max, MOVES))
+
 #: Price of every station by which a move favours one outline; less invites needless slips.
 SKEW_PRICE = 0.1
 
@@ -58,22 +61,15 @@ class Paths:
             Columns of a path; it ends in column ``start + width`` of the last row.
         """
         rows = prices.shape[1] - 1
-        windows = sliding_window_view(prices, width + 1, axis=2)
         self.starts = starts
-        self._windows = windows
-        chosen = _as_slice(starts)
-        table = np.full((rows + 1, len(starts), width + 1), np.inf)
-        table[0, :, 0] = 0.0
-        reached = np.zeros((len(starts), width + 1))
-        for i in range(1, rows + 1):
-            row = table[i]
-            for (di, dj), price in zip(MOVES, windows[:, i], strict=True):
-                if di <= i:
-                    sums = reached[:, dj:]
-                    np.add(table[i - di, :, : width + 1 - dj], price[chosen, dj:], out=sums)
-                    np.minimum(row[:, dj:], sums, out=row[:, dj:])
-        self._table = table
-        self.costs = table[rows, :, width] / rows
+        self._windows = sliding_window_view(prices, width + 1, axis=2)
+        # Rows and columns of no path before the first ones, so that all moves may be looked up.
+        table = np.full((REACH + rows + 1, len(starts), REACH + width + 1), np.inf)
+        table[REACH, :, REACH] = 0.0
+        self._table = table[REACH:, :, REACH:]
+        run = _run_one if len(starts) == 1 else _run_many
+        run(table, self._windows[:, :, _as_slice(starts)])
+        self.costs = self._table[rows, :, width] / rows
 
     def trace(self, which: int) -> tuple[Index, Index]:
         """Nodes of the path from ``starts[which]``: rows and columns, both from 0."""
@@ -93,6 +89,29 @@ class Paths:
             nodes.append((i, j))
         rows, columns = np.array(nodes[::-1], dtype=np.intp).T
         return rows, columns
+
+
+def _run_many(table: Floats, windows: Floats) -> None:
+    """Fill the table for many starts: an array operation for each row and move."""
+    rows, _, width = (n - REACH for n in table.shape)
+    reached = np.zeros((table.shape[1], width))
+    for i in range(1, rows):
+        row = table[REACH + i, :, REACH:]
+        for (di, dj), price in zip(MOVES, windows[:, i], strict=True):
+            before = table[REACH + i - di, :, REACH - dj : REACH - dj + width]
+            np.add(before, price, out=reached)
+            np.minimum(row, reached, out=row)
+
+
+def _run_one(table: Floats, windows: Floats) -> None:
+    """Fill the table for one start: all moves at once, for the rows are short."""
+    rows, _, width = (n - REACH for n in table.shape)
+    steps = np.array([[di * table.shape[2] + dj] for di, dj in MOVES])
+    flat = table.reshape(-1)
+    where = (REACH * table.shape[2] + REACH + np.arange(width)) - steps
+    for i in range(1, rows):
+        reached = flat[where + i * table.shape[2]] + windows[:, i, 0]
+        table[REACH + i, 0, REACH:] = reached.min(axis=0)
 
 
 def _as_slice(starts: Index) -> Index | slice:
@@ -128,8 +147,8 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
         price[(fixed[:, None] + np.arange(1, di)).ravel() % count] = np.inf
         price[:, (fixed[:, None] + np.arange(1, dj)).ravel() % count] = np.inf
     around = np.concatenate([prices, prices[:, :1]], axis=1)
-    around = np.concatenate([around, around, around[:, :, :1]], axis=2)
-    return Paths(around, starts, count)
+    columns = np.arange(int(starts.max()) + count + 1) % count
+    return Paths(np.take(around, columns, axis=2), starts, count)
 
 
 def _barred(cost: Floats, fixed: Index) -> Floats:
@@ -142,12 +161,17 @@ def _barred(cost: Floats, fixed: Index) -> Floats:
 
 def _prices(cost: Floats) -> Floats:
     """Price of each move where it ends: the mean cost on its way times its length, and skew."""
-    prices = []
-    for di, dj in MOVES:
+    count = len(cost)
+    around = np.pad(cost, ((REACH, 0), (REACH, 0)), mode="wrap")
+    prices = np.zeros((len(MOVES), count, count))
+    for (di, dj), price in zip(MOVES, prices, strict=True):
         steps = max(di, dj)
-        way = [np.roll(cost, (q * di // steps, q * dj // steps), (0, 1)) for q in range(steps)]
-        prices.append((di + dj) / 2 * np.mean(way, axis=0) + SKEW_PRICE * abs(di - dj))
-    return np.stack(prices)
+        for q in range(steps):
+            i, j = REACH - q * di // steps, REACH - q * dj // steps
+            price += around[i : i + count, j : j + count]
+        price *= (di + dj) / 2 / steps
+        price += SKEW_PRICE * abs(di - dj)
+    return prices
 
 
 def open_path(cost: Floats) -> tuple[Index, Index]:

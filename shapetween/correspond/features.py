@@ -116,24 +116,26 @@ def contexts(points: Points, seen: Points, axes: Points) -> Floats:
     offset = seen - points[:, None]
     x = offset[..., 0] * axes[..., None, 0] + offset[..., 1] * axes[..., None, 1]
     y = cross(axes[..., None, :], offset)
-    distance = np.hypot(x, y)
+    distance = np.sqrt(x * x + y * y)
     radius = distance / distance.mean()
     low = np.log(NEAREST)
     ring = (np.log(np.maximum(radius, 1e-6)) - low) / (np.log(FARTHEST) - low) * (RINGS - 1)
-    sector = np.arctan2(y, x) * (SECTORS / (2 * np.pi)) % SECTORS
+    sector = np.arctan2(y, x) * (SECTORS / (2 * np.pi)) + SECTORS
     # A point does not see itself, nor what lies beyond the rings.
     weight = (radius > 1e-6) & (ring > -1) & (ring < RINGS)
-    r0, s0 = np.floor(ring), np.floor(sector)
-    row = np.arange(len(points))[:, None] * ((RINGS + 2) * SECTORS)
-    votes = np.zeros(len(points) * (RINGS + 2) * SECTORS)
-    for dr, wr in ((0, r0 + 1 - ring), (1, ring - r0)):
-        for ds, ws in ((0, s0 + 1 - sector), (1, sector - s0)):
-            # One spare ring on either side takes the votes that fall outside.
-            where = np.clip(r0 + dr + 1, 0, RINGS + 1) * SECTORS + (s0 + ds) % SECTORS
-            votes += np.bincount(
-                (row + where.astype(np.intp)).ravel(), (weight * wr * ws).ravel(), len(votes)
-            )
-    kept = votes.reshape(len(points), RINGS + 2, SECTORS)[:, 1:-1].reshape(len(points), -1)
+    ring = np.clip(ring, -1, RINGS) + 1  # one spare ring on either side
+    r0, s0 = ring.astype(np.intp), sector.astype(np.intp)
+    outer, later = weight * (ring - r0), sector - s0
+    inner = weight - outer
+    rings = RINGS + 3
+    cell = np.arange(len(points))[:, None] * rings + r0
+    votes = np.zeros(len(points) * rings * SECTORS)
+    for ds, share in ((0, 1 - later), (1, later)):
+        where = cell * SECTORS + (s0 + ds) % SECTORS
+        votes += np.bincount(where.ravel(), (inner * share).ravel(), len(votes))
+        where += SECTORS
+        votes += np.bincount(where.ravel(), (outer * share).ravel(), len(votes))
+    kept = votes.reshape(len(points), rings, SECTORS)[:, 1:-2].reshape(len(points), -1)
     # No bin is quite empty: the root would make a vote's rounding error large.
     kept += 1e-6
     return np.asarray(np.sqrt(kept / kept.sum(axis=1, keepdims=True)))

@@ -44,12 +44,13 @@ def far_sample(points: Points) -> int:
 
 def _off_chord(curve: Points, first: int, last: int) -> Floats:
     """Distance of samples strictly between two samples to the segment that joins these."""
-    count = len(curve)
-    inner = curve[np.arange(first + 1, last) % count]
-    start, along = curve[first % count], curve[last % count] - curve[first % count]
+    start, along = curve[first], curve[last] - curve[first]
+    offset = curve[first + 1 : last] - start
     size = along @ along
-    share = np.clip((inner - start) @ along / size, 0, 1) if size > 0 else np.zeros(len(inner))
-    return np.asarray(np.sqrt(((inner - start - share[:, None] * along) ** 2).sum(-1)))
+    if size > 0:
+        share = np.minimum(np.maximum(offset @ (along / size), 0.0), 1.0)
+        offset = offset - share[:, None] * along
+    return np.asarray(np.sqrt(np.einsum("ij,ij->i", offset, offset)))
 
 
 def simplified(points: Points, corners: Mask, count: int, kept: Index | None = None) -> Index:
@@ -73,16 +74,18 @@ def simplified(points: Points, corners: Mask, count: int, kept: Index | None = N
         Those kept first; M is `count` unless there are fewer samples or more are kept.
     """
     total = points.shape[1]
-    curve = np.concatenate([points[0], points[1]], axis=-1)
-    bonus = np.where(corners, CORNER_BONUS, 1.0)
     chosen = [far_sample(points)] if kept is None else kept.tolist()
+    if len(chosen) >= count:
+        return np.array(chosen, dtype=np.intp)
+    # Gone round twice, so that every stretch is a slice.
+    curve = np.concatenate([points[0], points[1]], axis=-1)
+    curve, bonus = np.tile(curve, (2, 1)), np.tile(np.where(corners, CORNER_BONUS, 1.0), 2)
     heap: list[tuple[float, int, int, int]] = []
 
     def push(first: int, last: int) -> None:
         if last - first > 1:
-            inner = np.arange(first + 1, last) % total
-            score = settled(_off_chord(curve, first, last) * bonus[inner])
-            best = int(np.argmax(score))
+            score = settled(_off_chord(curve, first, last) * bonus[first + 1 : last])
+            best = int(score.argmax())
             heapq.heappush(heap, (-float(score[best]), first, first + 1 + best, last))
 
     ring = sorted(chosen)

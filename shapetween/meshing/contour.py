@@ -200,7 +200,7 @@ def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
     for node in (nodes[i], nodes[j]):  # the segments at a chord's own ends touch it, no more
         hit[own, node] = False
         hit[own, node - 1] = False
-    chord, segment = np.nonzero(hit)
+    chord, segment = np.divmod(np.flatnonzero(hit), len(ring))  # quicker than along two axes
     reached = from_segment[i[chord], segment]
     t = reached / (reached - from_segment[j[chord], segment])
     order = np.lexsort((t, chord))

@@ -57,12 +57,11 @@ def slid(contours: Contours, pull: Floats, nodes: Index, quads: Index, triangles
         price[stale] = side_prices(arc_waste(contours, before, places[stale]))
         price[stale] += side_prices(arc_waste(contours, places[stale], after)) - pull[places[stale]]
         for faces, prices in ((quads, quad_prices), (triangles, triangle_prices)):
-            for corner in range(faces.shape[1]):
-                some = faces[stale[faces[:, corner]]]
-                samples = np.repeat(nodes[some][:, None], len(steps), axis=1)  # (F, steps, K)
-                samples[:, :, corner] = places[some[:, corner]]
-                figures = face_figures(contours.points[:, samples])
-                np.add.at(price, some[:, corner], prices(figures))
+            face, corner = np.nonzero(stale[faces])
+            moved = faces[face, corner]
+            samples = np.repeat(nodes[faces[face]][:, None], len(steps), axis=1)  # (M, steps, K)
+            samples[np.arange(len(face)), :, corner] = places[moved]
+            np.add.at(price, moved, prices(face_figures(contours.points[:, samples])))
         blocked = (steps <= -((here - before) % total)) | (steps >= (after - here) % total)
         price[stale] = np.where(blocked, np.inf, price[stale])
 

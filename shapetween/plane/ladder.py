@@ -55,6 +55,8 @@ def settle(
     check: FramesCheck | None = None,
     target: InsideTarget | None = None,
     ladder: tuple[Stiffness, ...] = LADDER,
+    *,
+    denser: bool = True,
 ) -> SettledMotion:
     """Find a motion of a mesh without crossings.
 
@@ -67,13 +69,14 @@ def settle(
         What the inside triangles should do.
     ladder : tuple of Stiffness
         Settings to try, at least one.
+    denser : bool
+        Whether more nodes can be had. Where the polygons of the nodes are simple and yet `check`
+        finds crossings, these help more than any further setting, and none is tried.
 
     Returns
     -------
     SettledMotion
-        The first without a crossing, else the one with the fewest. Where the polygons of the nodes
-        are simple and yet `check` finds crossings, only more nodes can help, and no further
-        setting is tried.
+        The first without a crossing, else the one with the fewest.
     """
     solved, checked = np.linspace(0, 1, SOLVED_TIMES), np.linspace(0, 1, CHECKED_TIMES)
     polygons = _polygons(mesh)
@@ -88,7 +91,7 @@ def settle(
             tried.append(SettledMotion(motion, stiffness, mend, crossing))
             if not len(crossing):
                 return tried[-1]
-        if check and polygons(checked, nodes).all():
+        if denser and check and polygons(checked, nodes).all():
             break
     return min(tried, key=lambda settled: len(settled.crossing))
 

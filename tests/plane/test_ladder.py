@@ -65,6 +65,8 @@ def test_the_callers_look_decides() -> None:
     assert len(seen) == 2  # the nodes themselves do not cross: no other setting would help
     assert settled.stiffness is LADDER[0]
     np.testing.assert_allclose(settled.crossing, [0.25, 0.25625])
+    settle(mesh, never, denser=False)
+    assert len(seen) == 2 + 2 * len(LADDER)
 
 
 def test_what_is_looked_at_is_what_moves() -> None:
