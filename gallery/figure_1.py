@@ -1,5 +1,7 @@
 """Figure 1: what two triangles make of a checkerboard that turns away, and what a plane does."""
 
+from pathlib import Path
+
 import numpy as np
 
 from shapetween.gallery import Exhibit, Picture
@@ -7,6 +9,9 @@ from shapetween.gallery.canvas import FAINT, Canvas, Panel, checkerboard
 from shapetween.interpolate import tween
 from shapetween.interpolate.inside import Inside, Interior
 from shapetween.mesh import MeshPair
+
+#: The same as warps of a picture, which ``image_board.py`` draws.
+WARPED = Path(__file__).parent / "image_figure_1.webp"
 
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 SEEN = np.array([[0.1, 0.12], [1.12, 0.36], [1.12, 0.66], [0.1, 1.06]])
@@ -38,7 +43,9 @@ def draw() -> list[Exhibit]:
         "lies between them differs. Cut into two triangles the lines of the board break along the "
         "diagonal; as one plane they stay straight, and its far cells become smaller."
     )
-    picture = Picture(
-        "figure-1.svg", canvas.svg(), "A checkerboard moved by triangles and by a homography"
+    shows = "A checkerboard moved by triangles and by a homography"
+    pictures = (
+        Picture("figure-1.svg", canvas.svg(), shows),
+        Picture(WARPED.name, WARPED, "A picture of a lettered board warped in both ways"),
     )
-    return [Exhibit("Figure 1: a plane is not two triangles", text, (picture,))]
+    return [Exhibit("Figure 1: a plane is not two triangles", text, pictures)]

@@ -1,6 +1,7 @@
 """Figure 2: the three normalisations before a homography is taken apart, and each left out."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 
@@ -11,6 +12,9 @@ from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import rms_radius
 from shapetween.geometry.rotation import polar
 from shapetween.interpolate.quads import QuadMotion
+
+#: The same as warps of a picture, which ``image_board.py`` draws.
+WARPED = Path(__file__).parent / "image_figure_2.webp"
 
 #: A board, and the same one turned by a right angle and seen from its side.
 SOURCE = np.array([[[2.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0]]])
@@ -25,6 +29,7 @@ Homographies = Callable[[Floats], Floats]
 def taken_apart(origin: Points, scale: float) -> Homographies:
     """In-between homographies about an origin of choice, the drawing's frame to itself."""
     matrix = quad_homographies(SOURCE - origin, TARGET - origin)
+    matrix = matrix / matrix[:, 2:, 2:]
     lines, image = matrix[:, 2, :2], matrix[:, :2, 2]
     angles, stretches = polar(matrix[:, :2, :2] - image[:, :, None] * lines[:, None, :])
     motion = QuadMotion(origin, image, angles, stretches, lines, rms_radius(SOURCE), scale)
@@ -40,9 +45,10 @@ def blended(t: Floats) -> Floats:
     return np.asarray((1 - time) * np.eye(3) + time * matrix / matrix[:, 2:, 2:])
 
 
-def draw() -> list[Exhibit]:
+def rows() -> tuple[tuple[str, str, Homographies], ...]:
+    """Name, note and movement of each panel."""
     centre = SOURCE.mean(axis=1)
-    rows: tuple[tuple[str, str, Homographies], ...] = (
+    return (
         (
             "a  All in place",
             "about the centroid, at a radius of 10",
@@ -52,12 +58,15 @@ def draw() -> list[Exhibit]:
         ("c  Not scaled", "at a radius of 0.1", taken_apart(centre, POOR_SCALE)),
         ("d  Not taken apart", "each number of the matrix straight", blended),
     )
+
+
+def draw() -> list[Exhibit]:
     canvas = Canvas(840, 560, "Normalisations of a homography, and what their absence does")
     dark, _ = checkerboard(SOURCE, 4)
     moments = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
-    frames = [carried(of, dark, canvas.times) for _, _, of in rows]
+    frames = [carried(of, dark, canvas.times) for _, _, of in rows()]
     window = Panel.onto(np.concatenate([corners for corners, _ in frames]), 20, 70, 390, 190)
-    for k, ((name, note, of), (corners, cells)) in enumerate(zip(rows, frames, strict=True)):
+    for k, ((name, note, of), (corners, cells)) in enumerate(zip(rows(), frames, strict=True)):
         x, y = 410 * (k % 2), 275 * (k // 2)
         panel = window.moved(x, y)
         canvas.text(30 + x, 32 + y, name, 17, font_weight="600")
@@ -75,9 +84,12 @@ def draw() -> list[Exhibit]:
         "the perspective comes late and all at once, and the board shrinks on its way. (d) "
         "blending the matrix itself flattens the board where it should turn."
     )
-    picture = Picture("figure-2.svg", canvas.svg(), "A board moved with and without normalisations")
+    pictures = (
+        Picture("figure-2.svg", canvas.svg(), "A board moved with and without normalisations"),
+        Picture(WARPED.name, WARPED, "A picture of a board warped in each of the four ways"),
+    )
     title = "Figure 2: why a homography is centred, scaled and taken apart"
-    return [Exhibit(title, text, (picture,))]
+    return [Exhibit(title, text, pictures)]
 
 
 def carried(of: Homographies, dark: Points, t: Floats) -> tuple[Quads, Points]:

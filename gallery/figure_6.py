@@ -1,6 +1,6 @@
 """Figure 6: boards that change places between two pictures, and what outlines make of pictures.
 
-Both are drawn by scripts of their own, ``image_signpost.py`` and ``image_fruit.py``.
+All are drawn by scripts of their own: ``image_signpost.py``, ``image_fruit.py``, ``image_fills.py``.
 """
 
 from pathlib import Path
@@ -19,9 +19,14 @@ def draw() -> list[Exhibit]:
         "The same with outlines drawn over two pictures: what is inside goes along with the mesh, "
         "and one skin dissolves into the other."
     )
+    fills = (
+        "Two drawings whose shapes are filled with patterns, written as moving pictures: each tile "
+        "goes along with the mesh of its shape, and one pattern dissolves into the other."
+    )
     shown = (
         ("Figure 6: planes in a picture", boards, "image_signpost.webp", "Boards of a sign post"),
         ("Beyond the paper: outlines over pictures", fruit, "image_fruit.webp", "Apple and pear"),
+        ("Beyond the paper: fills that ride", fills, "image_fills.webp", "Two patterned fish"),
     )
     return [
         Exhibit(title, text, (Picture(name, HERE / name, shows),))

@@ -2,8 +2,11 @@
 
 import re
 import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 from shapetween.cli import main
@@ -24,9 +27,22 @@ LICENCES = {"Apache-2.0", "CC BY 3.0", "CC BY 4.0", "CC0 1.0", "MIT", "public do
 def test_figures_are_what_their_scripts_draw(number: int) -> None:
     """Those with meshes of their own, which no change of the matching touches."""
     (exhibit,) = exhibits.drawn(GALLERY / f"figure_{number}.py")
-    for picture in exhibit.pictures:
-        assert isinstance(picture.content, str)
+    texts = [picture for picture in exhibit.pictures if isinstance(picture.content, str)]
+    assert texts
+    for picture in texts:
         assert (GALLERY / picture.name).read_text("utf-8") == picture.content
+
+
+def test_every_way_of_figure_2_ends_at_its_place() -> None:
+    spec = spec_from_file_location("figure_2", GALLERY / "figure_2.py")
+    assert spec is not None
+    assert spec.loader is not None
+    script: Any = module_from_spec(spec)
+    spec.loader.exec_module(script)
+    for _, _, way in script.rows():
+        corners, _ = script.carried(way, script.SOURCE[:, :0], np.array([0.0, 1.0]))
+        assert corners[0] == pytest.approx(script.SOURCE)
+        assert corners[1] == pytest.approx(script.TARGET)
 
 
 def test_the_page_shows_pictures_that_are_there() -> None:
