@@ -1,6 +1,7 @@
 """Figure 6: boards that change places between two pictures, and what outlines make of pictures.
 
-All are drawn by scripts of their own: ``image_signpost.py``, ``image_fruit.py``, ``image_fills.py``.
+All are drawn by scripts of their own: ``image_signpost.py``, ``image_fruit.py`` and
+``image_fills.py``.
 """
 
 from pathlib import Path
