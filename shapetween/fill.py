@@ -21,7 +21,7 @@ from shapetween.pairing import Thing, pair_things
 from shapetween.parts import FilledPart
 from shapetween.passengers import Passenger
 from shapetween.regions import Region, regions_of
-from shapetween.ring import match_hole, match_outer, next_matches
+from shapetween.ring import CORNERS, match_hole, match_outer, next_matches
 from shapetween.unfold import MOST_NODES, TOLERANCES, bare, unfolded
 from shapetween.whole import MOTION_TIMES, WholeMotion
 
@@ -33,6 +33,12 @@ MOST_TOGETHER = 12
 #: Most pieces of a shape that get meshes, and the least share of the largest one's area that a
 #: piece with a mesh has. Coasts have hundreds of islands.
 MOST_MESHED, LEAST_MESHED = 16, 1e-3
+
+#: Share of a shape's area past which its largest piece is the shape, the others its islands.
+MAIN = 0.5
+
+#: Corners of the least coarse shape of a piece.
+LEAST_CORNERS = 12
 
 #: Curves of both outlines together past which one setting is all there is time for.
 MANY_CURVES = 1500
@@ -135,11 +141,17 @@ def morph_fill(
         after, said_b = regions_of(second, _called(second, names[1]))
         boxes = np.array([region.outer.box for region in (*before, *after)])
         scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
-        pairing = pair_things([_thing(r) for r in before], [_thing(r) for r in after], scale)
+        pairing = pair_things(
+            [_thing(r) for r in before],
+            [_thing(r) for r in after],
+            scale,
+            fixed=[(0, 0)] if _is_main(before) and _is_main(after) else [],
+        )
     warnings = [*said_a, *said_b]
     bodies: list[list[RingMatch]] = []
     strangers: list[tuple[Region, bool, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
+    corners = _shared_corners([i for i, _ in meshed], before)
     for i, j in meshed:
         outer = match_outer(
             before[i].outer,
@@ -149,6 +161,7 @@ def morph_fill(
             mesh=settings.mesh_for(name),
             upright=not alone or len(pairing.pairs) > 1,
             observe=settings.observe,
+            corners=corners[i],
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
@@ -186,21 +199,17 @@ def morph_fill(
 
 
 def _of_crossings(bodies: list[Carried], called: str) -> list[str]:
-    """What to say of outlines that cross on the way."""
+    """What to say of outlines that cross on the way: of the worst body of each kind."""
     said = []
-    checked = bodies[0].checked if bodies else 0
-    plain = sum(body.crossing for body in bodies if not body.detail)
-    if plain:
-        said.append(
-            f"{called}the outline crosses itself at {plain} of {checked} times on the way; "
-            "pins on the parts that cross may help"
-        )
-    fine = max((body.crossing for body in bodies if body.detail), default=0)
-    if fine:
-        said.append(
-            f"{called}small details of the outline run into each other at {fine} of {checked} "
-            "times on the way; its large parts do not, and both ends are exact"
-        )
+    for detail, text in (
+        (False, "the outline crosses itself {}; pins on the parts that cross may help"),
+        (True, "small details of the outline run into each other {}; its large parts do not"),
+    ):
+        crossing = [body for body in bodies if body.crossing and body.detail == detail]
+        if crossing:
+            worst = max(crossing, key=lambda body: body.crossing / body.checked)
+            often = f"at {worst.crossing} of {worst.checked} times on the way"
+            said.append(called + text.format(often))
     return said
 
 
@@ -208,6 +217,19 @@ def _whole_motion(bodies: list[Carried]) -> WholeMotion | None:
     """The motion of all bodies as one."""
     inside, areas = zip(*(body.inside(MOTION_TIMES) for body in bodies), strict=True)
     return WholeMotion.of(np.concatenate(inside, axis=1), np.concatenate(areas))
+
+
+def _shared_corners(chosen: list[int], pieces: tuple[Region, ...]) -> dict[int, int]:
+    """How many corners the coarse shape of each piece may have, all together `CORNERS`."""
+    sizes = {k: float(np.sqrt(abs(pieces[k].area))) for k in chosen}
+    total = sum(sizes.values())
+    return {k: max(LEAST_CORNERS, round(CORNERS * size / total)) for k, size in sizes.items()}
+
+
+def _is_main(pieces: tuple[Region, ...]) -> bool:
+    """Whether the first piece is most of the shape, and so becomes what is most of the other."""
+    areas = [abs(piece.area) for piece in pieces]
+    return areas[0] > MAIN * sum(areas)
 
 
 def _by_size(
@@ -275,7 +297,7 @@ def _moved(
     together = None
     if 1 < len(bodies) <= MOST_TOGETHER:
         together = unfolded([ring for rings in bodies for ring in rings], settings.method)
-        if not together.crossing:
+        if not together.crossing or together.detail:
             return [together], [0] * len(bodies)
     alone = [_alone(rings, settings) for rings in bodies]
     if together is not None and together.crossing <= sum(c.crossing for c in alone):

@@ -21,7 +21,7 @@ from shapetween.observe import Observer
 from shapetween.outline import Outline
 from shapetween.plane.check import simple_frames
 
-__all__ = ["match_hole", "match_outer", "next_matches"]
+__all__ = ["CORNERS", "match_hole", "match_outer", "next_matches"]
 
 #: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
 #: for nodes and cost the square of it.
@@ -37,8 +37,8 @@ CHORDS = 16
 #: shapes, whose every curve means something.
 MANY_CURVES = 600
 
-#: Corners of a coarse outline at most. More keep more of the shape from folding, and cost time with
-#: their square.
+#: Corners of all coarse outlines of a shape at most. More keep more of the shape from folding, and
+#: cost time with their square.
 CORNERS = 120
 
 
