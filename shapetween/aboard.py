@@ -92,6 +92,8 @@ class LonePart:
         Whether it is whole at the end; else at the start.
     plane : Plane
         What it rides on.
+    fades : bool
+        Whether it keeps its size and fades instead.
     """
 
     name: str
@@ -100,6 +102,7 @@ class LonePart:
     closed: tuple[bool, ...]
     arrives: bool
     plane: Plane
+    fades: bool = False
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -118,6 +121,8 @@ class LonePart:
         style = self.whole
         if has_gradient(style):
             style = moved_style(style, self._similarity(t))
+        if self.fades:
+            return replace(style, opacity=style.opacity * size)
         stroke = style.stroke
         if stroke is None:
             return style

@@ -32,6 +32,10 @@ AFFINE = 1e-6
 #: Share of its box that an outline covers to count as that box.
 BOX = 0.95
 
+#: Distance from a silhouette, as a share of its extent, past which the plane is nobody's: what lies
+#: there is taken to be where it is drawn.
+BESIDE = 0.02
+
 #: Chords of a silhouette's curve, which are straight or short, when it is looked at.
 CHORDS = 2
 
@@ -80,6 +84,11 @@ class Flow:
     lanes: tuple[Lane, ...]
     bodies: tuple[Carried, ...] = ()
     exact: bool = False
+
+    def carries(self, point: Points) -> bool:
+        """Whether a place (2,) at the start is on what moves as one, not beside it."""
+        near = BESIDE * max(lane.extents[0] for lane in self.lanes)
+        return any(lane.distance(point, 0) <= near for lane in self.lanes)
 
     def lane(self, source: Points | None, target: Points | None) -> Lane:
         """The lane of what has its middle there at the start, at the end, or both, each (2,)."""

@@ -33,11 +33,11 @@ def shared_areas(areas: tuple[Areas, Areas], flow: Flow) -> Floats:
     """
     import shapely
 
+    brought = np.array([_brought(area, flow) for area in areas[0]], dtype=object)
     scale = flow.lanes[0].extents[1]
-    sides = np.array([_brought(area, flow) for area in areas[0]]), areas[1]
-    coarse = [shapely.simplify(side, STRAIGHT * scale) for side in sides]
+    coarse = [shapely.simplify(side, STRAIGHT * scale) for side in (brought, areas[1])]
     wide = [shapely.buffer(side, MARGIN * scale, quad_segs=2) for side in coarse]
-    result = np.zeros((len(sides[0]), len(sides[1])))
+    result = np.zeros((len(areas[0]), len(areas[1])))
     i, j = shapely.STRtree(wide[1]).query(wide[0], predicate="intersects")
     common = shapely.area(shapely.intersection(wide[0][i], wide[1][j]))
     either = shapely.area(wide[0])[i] + shapely.area(wide[1])[j] - common
@@ -52,6 +52,8 @@ def _brought(area: "shapely.Geometry", flow: Flow) -> "shapely.Geometry":
     if area.is_empty:
         return area
     middle = np.array(shapely.box(*area.bounds).centroid.coords[0])
+    if not flow.carries(middle):
+        return area
     plane = flow.lane(middle, None).plane
     moved = shapely.transform(area, lambda points: plane.hold(points, False).at(np.ones(1))[0])
     return shapely.make_valid(moved, method="structure", keep_collapsed=False)

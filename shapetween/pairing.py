@@ -19,7 +19,7 @@ __all__ = ["Pairing", "Thing", "pair_shapes", "pair_things"]
 DISTANCE, SIZE, PAINT, ORDER, KIND, OPEN = 1.0, 0.35, 0.8, 0.15, 0.6, 0.25
 
 #: What two shapes cost that nowhere cover each other.
-OVERLAP = 0.6
+OVERLAP = 0.8
 
 #: What a factor e in the ratio of width to height costs, and the least share of its size that a
 #: thing is wide or high: a line's own width.
@@ -31,7 +31,7 @@ REACH = 0.15
 #: What leaving a thing without a partner costs, and what a pair as large as the drawing saves
 #: beside that. More, and strangers far apart become each other; less, and everything comes and
 #: goes.
-LEFT, LARGE = 0.6, 0.6
+LEFT, LARGE = 0.5, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -95,7 +95,8 @@ def pair_things(
     columns = [j for j in range(len(second)) if j not in {b for _, b in fixed}]
     pairs = list(fixed)
     if rows and columns:
-        pairs += _cheapest(first, second, rows, columns, scale, extra)
+        cost = _costs(first, second, scale)
+        pairs += _cheapest(cost if extra is None else cost + extra, rows, columns)
     pairs.sort()
     return Pairing(
         tuple(pairs),
@@ -104,42 +105,39 @@ def pair_things(
     )
 
 
-def _cheapest(
-    first: Sequence[Thing],
-    second: Sequence[Thing],
-    rows: list[int],
-    columns: list[int],
-    scale: float,
-    extra: Floats | None,
-) -> list[tuple[int, int]]:
+def _costs(first: Sequence[Thing], second: Sequence[Thing], scale: float) -> Floats:
+    """Cost of every pair by place and size, (len(first), len(second))."""
+    sides = first, second
+    centres = [np.array([t.centre for t in side]) for side in sides]
+    sizes = [np.maximum([t.size for t in side], 1e-12 * scale) for side in sides]
+    aspects = [np.array([t.aspect for t in side]) for side in sides]
+    away = np.linalg.norm(centres[0][:, None] - centres[1], axis=-1)
+    own = (sizes[0][:, None] + sizes[1]) / 2
+    cost = DISTANCE * away / (own + REACH * scale)
+    cost += ASPECT * np.abs(aspects[0][:, None] - aspects[1])
+    cost += SIZE * np.abs(np.log(sizes[0][:, None] / sizes[1]))
+    cost -= LARGE * np.minimum(np.minimum(sizes[0][:, None], sizes[1]) / scale, 1.0)
+    return np.asarray(cost)
+
+
+def _cheapest(every: Floats, rows: list[int], columns: list[int]) -> list[tuple[int, int]]:
+    """Pairs of some rows and columns of the costs, as long as they cost less than to be alone."""
     if len(rows) == len(columns) == 1:
         return [(rows[0], columns[0])]
     from scipy.optimize import linear_sum_assignment  # slow to import, and most drawings are one
 
-    a, b = [first[i] for i in rows], [second[j] for j in columns]
-    away = np.linalg.norm(
-        np.array([t.centre for t in a])[:, None] - np.array([t.centre for t in b]), axis=-1
-    )
-    sizes = [np.maximum([t.size for t in side], 1e-12 * scale) for side in (a, b)]
-    own = (sizes[0][:, None] + sizes[1]) / 2
-    cost = DISTANCE * away / (own + REACH * scale)
-    aspects = [np.array([t.aspect for t in side]) for side in (a, b)]
-    cost += ASPECT * np.abs(aspects[0][:, None] - aspects[1])
-    cost += SIZE * np.abs(np.log(sizes[0][:, None] / sizes[1]))
-    if extra is not None:
-        cost = cost + extra[np.ix_(rows, columns)]
-    cost -= LARGE * np.minimum(np.minimum(sizes[0][:, None], sizes[1]) / scale, 1.0)
+    cost = every[np.ix_(rows, columns)]
     # Every thing may also be left alone: a partner of its own for each, at that price.
-    count = len(a) + len(b)
-    table = np.full((count, count), np.inf)
-    table[: len(a), : len(b)] = cost
-    table[np.arange(len(a)), len(b) + np.arange(len(a))] = LEFT
-    table[len(a) + np.arange(len(b)), np.arange(len(b))] = LEFT
-    table[len(a) :, len(b) :] = 0.0
+    height, width = cost.shape
+    table = np.full((height + width, height + width), np.inf)
+    table[:height, :width] = cost
+    table[np.arange(height), width + np.arange(height)] = LEFT
+    table[height + np.arange(width), np.arange(width)] = LEFT
+    table[height:, width:] = 0.0
     found = zip(*(k.tolist() for k in linear_sum_assignment(table)), strict=True)
-    chosen = [(i, j) for i, j in found if i < len(a) and j < len(b)]
+    chosen = [(i, j) for i, j in found if i < height and j < width]
     if not chosen and np.isfinite(cost).any():
-        chosen = [divmod(int(cost.argmin()), len(b))]
+        chosen = [divmod(int(cost.argmin()), width)]
     return [(rows[i], columns[j]) for i, j in chosen]
 
 
@@ -164,8 +162,8 @@ def pair_shapes(
     fixed : sequence of (int, int)
         Pairs that the user settled.
     brought : sequence of Thing, optional
-        Where the first drawing's shapes are once both lie on each other; by default where they
-        are drawn.
+        What becomes of the first drawing's shapes where both lie on each other; by default as
+        they are drawn.
     shared : (len(first), len(second)) float64, optional
         Share of what either of two shapes covers that both then cover.
     barred : (len(first), len(second)) bool, optional

@@ -34,9 +34,10 @@ def brought(shape: Shape, flow: Flow) -> Thing:
     """Where the flow takes a shape of the source, and how large it makes it."""
     points = np.concatenate([flatten(ring.curves, 2) for ring in shape.rings])
     points = np.concatenate([points, shape.rings[-1].curves[-1:, 3]])
+    if not flow.carries(_middle(points)):
+        return Thing.of(points)
     lane = flow.lane(_middle(points), None)
-    moved = lane.plane.hold(points, False).at(np.ones(1))[0]
-    return Thing.of(moved)
+    return Thing.of(lane.plane.hold(points, False).at(np.ones(1))[0])
 
 
 def ride_fill(
@@ -88,8 +89,26 @@ def ride_line(first: Shape, second: Shape, flow: Flow) -> tuple[RidingPart, list
     return part, lone
 
 
-def ride_lone(shape: Shape, flow: Flow, arrives: bool, host: RidingPart | None = None) -> LonePart:
-    """Let a shape without a partner open or close while it rides, perhaps on what is below it."""
+def ride_lone(
+    shape: Shape,
+    flow: Flow,
+    arrives: bool,
+    host: RidingPart | None = None,
+    *,
+    fades: bool = False,
+) -> LonePart:
+    """Let a shape without a partner open or close while it rides, perhaps on what is below it.
+
+    Parameters
+    ----------
+    shape : Shape
+    flow : Flow
+    arrives : bool
+        Whether it is whole at the end; else at the start.
+    host : RidingPart, optional
+    fades : bool
+        Whether an area fades in place instead of opening and closing.
+    """
     centre = _centre(shape)
     lane = flow.lane(None, centre) if arrives else flow.lane(centre, None)
     first = None if host is None else host.riders[0]
@@ -102,8 +121,9 @@ def ride_lone(shape: Shape, flow: Flow, arrives: bool, host: RidingPart | None =
         except OutlineError:
             regions = ()
         for region in regions:
-            riders.append(_leave(region, arrives, lane, on))
+            riders.append(_leave(region, arrives, lane, on, shrinks=not fades))
             closed += [True] * len(riders[-1].counts)
+    fades = fades and bool(riders)
     if not riders:
         where = arrives, lane.plane, lane.extents[arrives], on
         for ring in shape.rings:
@@ -116,7 +136,9 @@ def ride_lone(shape: Shape, flow: Flow, arrives: bool, host: RidingPart | None =
                 if ring.closed
                 else Tip.of(ring.curves, *where)
             )
-    return LonePart(shape.name, shape.style, tuple(riders), tuple(closed), arrives, lane.plane)
+    return LonePart(
+        shape.name, shape.style, tuple(riders), tuple(closed), arrives, lane.plane, fades
+    )
 
 
 def _regions(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
@@ -155,7 +177,13 @@ def _ride(first: Outline, second: Outline, lane: Lane) -> Rider:
 
 
 def _leave(
-    region: Region, arrives: bool, lane: Lane, host: Rider | None = None, *, hole: bool = False
+    region: Region,
+    arrives: bool,
+    lane: Lane,
+    host: Rider | None = None,
+    *,
+    hole: bool = False,
+    shrinks: bool = True,
 ) -> Leaver:
     import shapely
 
@@ -169,4 +197,6 @@ def _leave(
         extent = float(np.ptp(outer.box, axis=0).max())
         circle = shapely.maximum_inscribed_circle(polygon, tolerance=2e-2 * extent)
         centre = np.array(circle.coords[0])
-    return Leaver.of(rings, centre, arrives, lane.plane, lane.extents[arrives], host)
+    return Leaver.of(
+        rings, centre, arrives, lane.plane, lane.extents[arrives], host, shrinks=shrinks
+    )

@@ -24,7 +24,10 @@ from shapetween.stroking import outlined
 __all__ = ["move_together"]
 
 #: Share of a shape without a partner that lies on another one for it to go with that one.
-HELD = 0.8
+HELD = 0.65
+
+#: Share of that other one's area that it covers to fade in place instead of opening and closing.
+LARGE = 0.3
 
 
 def move_together(
@@ -97,16 +100,24 @@ def move_together(
             always = layer.shown == (0.0, 1.0)
             parts += there if always else [ShownPart(part, layer.shown) for part in there]
         elif source is not None:
-            host = _host(source, areas[0], {pair[0]: p for pair, p in pairs.items()})
-            parts.append(ride_lone(_rooted(source, first, areas[0]), flow, False, host))
+            host, fades = _host(source, areas[0], {pair[0]: p for pair, p in pairs.items()})
+            shape = _rooted(source, first, areas[0])
+            parts.append(ride_lone(shape, flow, False, host, fades=fades))
         elif target is not None:
-            host = _host(target, areas[1], {pair[1]: p for pair, p in pairs.items()})
-            parts.append(ride_lone(_rooted(target, second, areas[1]), flow, True, host))
+            host, fades = _host(target, areas[1], {pair[1]: p for pair, p in pairs.items()})
+            shape = _rooted(target, second, areas[1])
+            parts.append(ride_lone(shape, flow, True, host, fades=fades))
     return tuple(parts), _carrier(flow), tuple(said)
 
 
-def _host(lone: int, areas: Areas, partnered: dict[int, tuple[Part, ...]]) -> RidingPart | None:
-    """The topmost shape with a partner that a shape without one lies on."""
+def _host(
+    lone: int, areas: Areas, partnered: dict[int, tuple[Part, ...]]
+) -> tuple[RidingPart | None, bool]:
+    """The topmost shape with a partner that a shape without one lies on.
+
+    And whether it covers so much of that one that it should fade: it would be seen to shrink away
+    from where it belongs.
+    """
     import shapely
 
     area = areas[lone]
@@ -115,8 +126,8 @@ def _host(lone: int, areas: Areas, partnered: dict[int, tuple[Part, ...]]) -> Ri
         if not isinstance(part, RidingPart) or not shapely.intersects(areas[below], area):
             continue
         if shapely.intersection(areas[below], area).area >= HELD * area.area:
-            return part
-    return None
+            return part, bool(area.area >= LARGE * areas[below].area)
+    return None, False
 
 
 def _rooted(lone: int, shapes: Sequence[Shape], areas: Areas) -> Shape:
