@@ -103,7 +103,7 @@ def read_picture(path: Path, megapixels: float = DEFAULT_MEGAPIXELS) -> Picture:
 
 def _too_large(name: str, size: str, megapixels: float) -> BudgetError:
     return BudgetError(
-        name, f"{size}; at most {megapixels:g} are read, or as many as --max-megapixels says"
+        name, f"{size}; at most {megapixels:g} megapixels are read, more with --max-megapixels"
     )
 
 

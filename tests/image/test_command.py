@@ -137,7 +137,10 @@ def test_quads_outside_are_warned_of(
         ("image a.png b.png --quads q.json -o no/out.png", "there is no folder"),
         ("image a.png b.png --quads q.json --size 0x3", "is neither WIDTHxHEIGHT"),
         ("image a.png b.png --quads q.json --size 99999x99999", "megapixels"),
-        ("image a.png b.png --quads q.json --max-megapixels 0.001", "at most 0.001 are read"),
+        (
+            "image a.png b.png --quads q.json --max-megapixels 0.001",
+            "at most 0.001 megapixels are read",
+        ),
         ("image a.png b.png --quads q.json --background mauv", "expected keep, dissolve, a colour"),
         ("image a.png b.png --quads q.json --easing jump", "easing 'jump'"),
         ("image a.png b.png --quads q.json --method arp", "did you mean arap?"),

@@ -216,6 +216,25 @@ def test_what_cannot_be_drawn_is_told() -> None:
         drawn_apart("<svg", 10, 10, "it.svg")
 
 
+@pytest.mark.parametrize(
+    "tile",
+    [
+        '<rect width="1e9" height="1e9"/><path d="M0 0L1e30 5"/>',
+        '<rect width="9" height="9" fill="url(#p)"/>',
+    ],
+    ids=["huge", "of-itself"],
+)
+def test_hostile_patterns_end_as_a_film_or_a_line(tmp_path: Path, tile: str) -> None:
+    """Some abort the renderer, which is therefore run apart."""
+    pattern = f'<pattern id="p" width="1e9" height="1e9" patternUnits="userSpaceOnUse">{tile}'
+    try:
+        frames = list(film(tmp_path, filled(f"{pattern}</pattern>"), filled(DOTS)).frames())
+    except InputError as error:
+        assert str(error).endswith("a pattern or picture in it cannot be drawn")
+    else:
+        assert len(frames) == 3
+
+
 def test_sizes(tmp_path: Path) -> None:
     box = morph(_saved(tmp_path), _saved(tmp_path)).at(0).box
     assert frame_size(box) == (800, 400)

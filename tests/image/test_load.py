@@ -171,7 +171,7 @@ def test_a_bomb_is_refused_unread(tmp_path: Path) -> None:
     data[16:24] = (60_000).to_bytes(4, "big") * 2
     data[29:33] = zlib.crc32(bytes(data[12:29])).to_bytes(4, "big")
     path.write_bytes(data)
-    with pytest.raises(BudgetError, match="at most 64 are read"):
+    with pytest.raises(BudgetError, match="at most 64 megapixels are read"):
         read_picture(path)
 
 
