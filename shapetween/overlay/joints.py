@@ -148,28 +148,40 @@ class _Joints:
 
     def met(self, both: Mask) -> "_Joints":
         """Joints moved to where the curves really meet, which is looked for on `both`."""
-        t, u = self.t.copy(), self.u.copy()
-        with np.errstate(all="ignore"):  # curves that touch have no single place to meet
-            for _ in range(NEWTON_STEPS):
-                gap = _own(self.one, t) - _own(self.other, u)
-                ways = [
-                    derivatives(c, p[:, None])[:, 0] for c, p in ((self.one, t), (self.other, u))
-                ]
-                turn = cross(*ways)
-                steps = [np.nan_to_num(-cross(gap, ways[k]) / turn) for k in (1, 0)]
-                t, u = (
-                    np.clip(p + np.clip(step, -LONGEST_STEP, LONGEST_STEP), 0.0, 1.0)
-                    for p, step in zip((t, u), steps, strict=True)
-                )
-        found, there = _own(self.one, t), _own(self.other, u)
-        good = both & (np.linalg.norm(found - there, axis=1) <= MET * self.near)
-        good &= np.linalg.norm(found - self.place, axis=1) <= MOST_MOVED * self.near
-        return replace(
-            self,
-            t=np.where(good, t, self.t),
-            u=np.where(good, u, self.u),
-            place=np.where(good[:, None], found, self.place),
+        apart = (_own(self.one, self.t) != _own(self.other, self.u)).any(axis=1)
+        moving = np.flatnonzero(both & apart)
+        if not len(moving):
+            return self
+        curves = self.one[moving], self.other[moving]
+        t, u = _meeting(*curves, self.t[moving], self.u[moving])
+        found, there = _own(curves[0], t), _own(curves[1], u)
+        near = self.near[moving]
+        good = np.linalg.norm(found - there, axis=1) <= MET * near
+        good &= np.linalg.norm(found - self.place[moving], axis=1) <= MOST_MOVED * near
+        moved = replace(self, t=self.t.copy(), u=self.u.copy(), place=self.place.copy())
+        moved.t[moving[good]] = t[good]
+        moved.u[moving[good]] = u[good]
+        moved.place[moving[good]] = found[good]
+        return moved
+
+
+def _meeting(one: Curves, other: Curves, t: Floats, u: Floats) -> tuple[Floats, Floats]:
+    """Parameters at which pairs of curves meet, from where they nearly do, by Newton's method.
+
+    What it returns for curves that touch, or do not meet, is no such place.
+    """
+    for _ in range(NEWTON_STEPS):
+        gap = _own(one, t) - _own(other, u)
+        ways = derivatives(one, t[:, None])[:, 0], derivatives(other, u[:, None])[:, 0]
+        turn = cross(*ways)
+        turn = np.where(turn != 0, turn, np.inf)  # no step where both run the same way
+        with np.errstate(over="ignore"):  # steps of any length are cut
+            steps = cross(gap, ways[1]) / turn, cross(gap, ways[0]) / turn
+        t, u = (
+            np.clip(p - np.clip(step, -LONGEST_STEP, LONGEST_STEP), 0.0, 1.0)
+            for p, step in zip((t, u), steps, strict=True)
         )
+    return t, u
 
 
 def _own(curves: Curves, t: Floats) -> Points:
