@@ -34,6 +34,10 @@ SPREAD_POWER, MOST_SPREAD = 0.25, 2.0
 #: Unlikeness above which two salient vertices are strangers.
 STRANGERS = 0.45
 
+#: Unlikeness no two places exceed as drawn. Less, and a place is as unlike its wrong neighbour as
+#: its opposite; more, and a few odd places decide for all.
+MOST_UNLIKE = 1.5
+
 #: Width over which one seen point passes from above to below, in roots of the area; with none, a
 #: level side would have any rank from its one end's to its other's.
 RANK_BLUR = 0.1
@@ -135,7 +139,7 @@ def intrinsic_cost(a: Stations, b: Stations) -> Floats:
 
 
 def upright_cost(a: Stations, b: Stations) -> Floats:
-    """Unlikeness in the frame as drawn, (n, m), from 0 to 1.
+    """Unlikeness in the frame as drawn, (n, m), from 0 to `MOST_UNLIKE`.
 
     Positions count twice: in roots of the area, and by rank. By rank feet stand on the ground in a
     tall shape as in a low one, so height counts more than side.
@@ -145,7 +149,7 @@ def upright_cost(a: Stations, b: Stations) -> Floats:
     ranks = _square_gaps(_ranks(a), _ranks(b))
     askew = 1 - a.tangents @ b.tangents.T
     around = _unlike_surroundings(a, b)
-    return _saturated(0.3 * turns + 0.25 * away + 0.25 * ranks + 0.5 * askew + around)
+    return _saturated(0.6 * turns + 0.25 * (away + ranks + askew) + around, MOST_UNLIKE)
 
 
 def likeness_of_vertices(a: Stations, b: Stations) -> Floats:
@@ -170,9 +174,9 @@ def _log_radius(radius: Floats) -> Floats:
     return np.log(np.maximum(radius, MIN_RADIUS))[None]
 
 
-def _saturated(cost: Floats) -> Floats:
-    """Between 0 and 1: what is quite unlike can hardly be more so."""
-    return np.asarray(cost / (1 + cost))
+def _saturated(cost: Floats, most: float = 1.0) -> Floats:
+    """Between 0 and `most`: what is quite unlike can hardly be more so."""
+    return np.asarray(cost / (1 + cost / most))
 
 
 def _even_spread(stations: Stations) -> Points:

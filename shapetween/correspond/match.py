@@ -39,9 +39,10 @@ DISTINCT = 0.03
 #: Higher turns shapes that only look alike when turned, lower misses the turned ones.
 FRAME_RATIO = 0.7
 
-#: Reward of a salient vertex that meets its like, in stations matched at full cost. Less, and a
-#: limb counts by its length alone; more, and what lies between is not listened to.
-VERTEX_REWARD = 3.0
+#: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
+#: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
+#: and what lies between is not listened to.
+VERTEX_REWARD = 2.4 / STATIONS
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
@@ -134,7 +135,7 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     paths = cyclic_paths(intrinsic, np.zeros_like(intrinsic), layout.fixed, layout.starts)
     turn = _turn_between(a, b, _distinct(paths, layout, 1, 0.0)[0])
     # Rewards not earned count as costs, so that the costs of two frames have a ratio.
-    unrewarded = VERTEX_REWARD * len(a.vertices.index) / STATIONS
+    unrewarded = VERTEX_REWARD * len(a.vertices.index)
     ranked: list[tuple[float, Candidate]] = []
     for angle in [0.0] if abs(turn) < MIN_TURN else [0.0, turn]:
         cost = _cost(a, b, layout, angle, pins)
@@ -234,7 +235,8 @@ def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> F
     weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
     alike = a.vertices.convex[:, None] == b.vertices.convex
     reward = np.zeros((len(layout.a), len(layout.b)))
-    earned = VERTEX_REWARD * weight * alike * likeness_of_vertices(first.turned(angle), second)
+    price = VERTEX_REWARD * len(layout.a)
+    earned = price * weight * alike * likeness_of_vertices(first.turned(angle), second)
     np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
     return reward
 
@@ -284,8 +286,8 @@ def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
 def _refined(a: Prepared, b: Prepared, candidate: Candidate, pins: Floats) -> Candidate:
     """The matching found again with more stations, near where it was.
 
-    Vertices are not rewarded here: the candidate has settled which meets which, and the outline
-    between them tells more exactly where.
+    Near along either outline: a tip beside its like may cross a stretch that the candidate passed
+    in one step.
 
     Without pins, the first pass keeps one knot; the second is cut open half-way round, so that
     this knot moves as well.
@@ -296,12 +298,12 @@ def _refined(a: Prepared, b: Prepared, candidate: Candidate, pins: Floats) -> Ca
         kept = np.array([[middle, _follow(best.a, best.b, np.array([middle]))[0]]])
         layout = _layout(a, b, pins if len(pins) else kept, FINE_STATIONS)
         cost = _cost(a, b, layout, candidate.turn, pins)
-        # Near along either outline: where one of them stands still, the other one runs.
         across = _follow(best.a, best.b, layout.a)[:, None] - layout.b
         along = layout.a[:, None] - _follow(best.b, best.a, layout.b)
         away = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
         cost[away > BAND] = np.inf
-        paths = cyclic_paths(cost, np.zeros_like(cost), layout.fixed, layout.starts)
+        reward = _vertex_rewards(a, b, layout, candidate.turn)
+        paths = cyclic_paths(cost, reward, layout.fixed, layout.starts)
         if not np.isfinite(paths.costs[0]):
             break
         best = _distinct(paths, layout, 1, candidate.turn)[0]

@@ -61,3 +61,26 @@ def apart(a: Floats, b: Floats) -> float:
     """Greatest distance of places on a closed outline, as a share of its length."""
     gap = a - b
     return float(np.abs(gap - np.round(gap)).max())
+
+
+def dense(points: Points, count: int = 400) -> Points:
+    """As many points evenly along a closed polygon, but for its corners."""
+    closed = np.vstack([points, points[:1]])
+    arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+    at = np.arange(count) / count * arc[-1]
+    return np.stack([np.interp(at, arc, closed[:, k]) for k in (0, 1)], axis=1)
+
+
+def swirled(points: Points, centre: Points, angle: float, reach: float) -> Points:
+    """The plane turned about a centre, less and less with the distance: limbs bend."""
+    offset = points - centre
+    turn = angle * np.exp(-((np.linalg.norm(offset, axis=1) / reach) ** 2))
+    c, s = np.cos(turn), np.sin(turn)
+    x, y = offset.T
+    return np.asarray(centre + np.stack([c * x - s * y, s * x + c * y], axis=1))
+
+
+def bowed(points: Points, strength: float) -> Points:
+    """The plane bent like a bow, upwards at both sides."""
+    x, y = points.T
+    return np.stack([x + 0.3 * strength * y, y - strength * x * x], axis=1)

@@ -8,7 +8,17 @@ from shapetween.arrays import Floats, Points
 from shapetween.correspond import correspond
 from shapetween.errors import OptionError, OutlineError
 from shapetween.outline import Outline
-from tests.correspond.shapes import apart, polygon, rewritten, rotation, rounded, star
+from tests.correspond.shapes import (
+    apart,
+    bowed,
+    dense,
+    polygon,
+    rewritten,
+    rotation,
+    rounded,
+    star,
+    swirled,
+)
 
 GRID = np.arange(200) / 200
 
@@ -78,6 +88,28 @@ def test_a_turned_and_bent_shape_is_found() -> None:
     found = correspond(polygon(a), polygon(turned))
     assert apart(found.target_at(vertex_places(a)), vertex_places(turned)) < 0.03
     assert found.turn == pytest.approx(2.0, abs=0.3)
+
+
+def test_outlines_warped_by_known_maps_are_found_again() -> None:
+    """Bent, bowed, turned, scaled and started elsewhere: points are met where they went."""
+    rng = np.random.default_rng(11)
+    errors = []
+    for case in range(12):
+        shape = hand() if case % 2 else 2 * star(case)
+        points = dense(shape)
+        centre = 0.7 * shape[rng.integers(len(shape))]
+        image = swirled(points, centre, rng.uniform(-0.7, 0.7), 1.5)
+        image = bowed(image, rng.uniform(-0.08, 0.08))
+        if case % 4 > 1:
+            image = image @ rotation(rng.uniform(-3.0, 3.0))[:, :2].T
+        truth = vertex_places(image)
+        start = int(rng.integers(len(image)))
+        outline = polygon(np.roll(image, -start, axis=0) * rng.uniform(0.1, 50.0))
+        found = correspond(polygon(points), outline).target_at(vertex_places(points))
+        gap = found - (truth - truth[start])
+        errors.append(np.abs(gap - np.round(gap)).mean())
+    assert np.mean(errors) < 0.007
+    assert np.max(errors) < 0.03
 
 
 def test_others_are_other_matchings_in_order_of_cost() -> None:
