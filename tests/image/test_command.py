@@ -139,7 +139,7 @@ def test_quads_outside_are_warned_of(
         ("image a.png b.png --quads q.json --size 99999x99999", "megapixels"),
         (
             "image a.png b.png --quads q.json --max-megapixels 0.001",
-            "at most 0.001 megapixels are read",
+            "at most 0.001 megapixels",
         ),
         ("image a.png b.png --quads q.json --background mauv", "expected keep, dissolve, a colour"),
         ("image a.png b.png --quads q.json --easing jump", "easing 'jump'"),

@@ -227,12 +227,12 @@ def test_what_cannot_be_drawn_is_told() -> None:
 def test_hostile_patterns_end_as_a_film_or_a_line(tmp_path: Path, tile: str) -> None:
     """Some abort the renderer, which is therefore run apart."""
     pattern = f'<pattern id="p" width="1e9" height="1e9" patternUnits="userSpaceOnUse">{tile}'
+    told = ""
     try:
-        frames = list(film(tmp_path, filled(f"{pattern}</pattern>"), filled(DOTS)).frames())
+        made = len(list(film(tmp_path, filled(f"{pattern}</pattern>"), filled(DOTS)).frames()))
     except InputError as error:
-        assert str(error).endswith("a pattern or picture in it cannot be drawn")
-    else:
-        assert len(frames) == 3
+        told, made = str(error), 0
+    assert made == 3 or told.endswith("a pattern or picture in it cannot be drawn")
 
 
 def test_sizes(tmp_path: Path) -> None:
