@@ -1,0 +1,247 @@
+"""What the benchmark report measures, in seconds of processor time: it counts work, not waiting."""
+
+import json
+import os
+import platform
+import resource
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+from shapetween.arrays import Floats
+from shapetween.drawing import Drawing
+from shapetween.geometry.bezier import signed_area
+from shapetween.interpolate.projective import Projective
+from shapetween.mesh import MeshPair
+from shapetween.pipeline import prepare
+from shapetween.svg.numbers import path_data
+from shapetween.svg.read import read_svg
+from tests.strategies import grid
+
+__all__ = [
+    "FRAMES",
+    "PAIRS",
+    "SIZES",
+    "RivalsMissingError",
+    "Speeds",
+    "bent_grid",
+    "exponent",
+    "machine",
+    "peak_memory",
+    "read",
+    "rivals",
+    "scaling",
+    "speeds",
+    "startups",
+]
+
+ROOT = Path(__file__).resolve().parents[2]
+
+#: Drawings of the gallery that are one filled shape each.
+PAIRS = (
+    ("horse", "kangaroo"),
+    ("camel", "elephant"),
+    ("deer", "giraffe"),
+    ("airplane", "jet"),
+    ("palm-tree", "cactus"),
+    ("run", "walk"),
+    ("hammer", "wrench"),
+    ("man-dancing", "woman-dancing"),
+    ("maple-leaf", "monstera-leaf"),
+)
+
+#: Times at which frames are asked for, all in one call.
+FRAMES = np.linspace(0, 1, 60)
+
+#: Sides of the square grids of quads; of the last one only some frames are asked for.
+SIZES = (10, 32, 100, 316)
+MOST_CORNERS = 2_000_000
+
+#: Names the folder where rivals are installed ("npm install flubber").
+FOLDER = "SHAPETWEEN_RIVALS"
+
+#: Size in pixels that rivals get their outlines in; their constants are made for it.
+UNIT = 512.0
+
+
+class RivalsMissingError(Exception):
+    """No node, or no folder with rivals."""
+
+
+@dataclass(frozen=True, slots=True)
+class Speeds:
+    """Seconds for one pair of drawings.
+
+    Attributes
+    ----------
+    stages : dict of str to float
+        Of the preparation.
+    whole : float
+        The preparation.
+    frame, written : float
+        The curves of one frame, and their path data.
+    """
+
+    stages: dict[str, float]
+    whole: float
+    frame: float
+    written: float
+
+
+class Stages:
+    """An observer that adds up the seconds of every stage."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    @contextmanager
+    def __call__(self, stage: str) -> Iterator[None]:
+        start = time.process_time()
+        yield
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + time.process_time() - start
+
+
+def read(name: str) -> Drawing:
+    """A drawing of the gallery."""
+    file = ROOT / "gallery/inputs" / f"{name}.svg"
+    return read_svg(file.read_bytes(), file.name)
+
+
+def _least(work: Callable[[], object], rounds: int) -> float:
+    """Seconds of the quickest of some rounds."""
+    found = []
+    for _ in range(rounds):
+        start = time.process_time()
+        work()
+        found.append(time.process_time() - start)
+    return min(found)
+
+
+def speeds(source: Drawing, target: Drawing, rounds: int = 3) -> Speeds:
+    """Prepare a pair, draw it and write it down; the quickest of some rounds of each."""
+    best: tuple[float, dict[str, float]] | None = None
+    for _ in range(rounds):
+        stages = Stages()
+        start = time.process_time()
+        prepared = prepare(source, target, observe=stages)
+        whole = time.process_time() - start
+        if best is None or whole < best[0]:
+            best = whole, stages.seconds
+    assert best is not None
+    parts = prepared.movement.parts
+    drawn = [part.curves(FRAMES) for part in parts]
+    written = [(c, list(p.rings), list(p.closed)) for c, p in zip(drawn, parts, strict=True)]
+    return Speeds(
+        best[1],
+        best[0],
+        _least(lambda: [part.curves(FRAMES) for part in parts], rounds) / len(FRAMES),
+        _least(lambda: [path_data(*w, 2) for w in written], rounds) / len(FRAMES),
+    )
+
+
+def rivals(pairs: list[tuple[Drawing, Drawing]]) -> list[tuple[float, float]]:
+    """Seconds that flubber takes to set up, and for a frame, for the largest ring of each pair.
+
+    Raises
+    ------
+    RivalsMissingError
+        If they cannot be run here.
+    """
+    node, folder = shutil.which("node"), os.environ.get(FOLDER, "")
+    if node is None:
+        raise RivalsMissingError("there is no node")
+    if not (Path(folder) / "node_modules/flubber").is_dir():
+        raise RivalsMissingError(f"{FOLDER} does not name a folder where flubber is installed")
+    outlines = json.dumps([[_outline(drawing) for drawing in pair] for pair in pairs])
+    script = Path(__file__).with_name("rivals.mjs")
+    done = subprocess.run(
+        [node, str(script), folder], input=outlines, capture_output=True, text=True, check=True
+    )
+    return [(setup, frame) for setup, frame in json.loads(done.stdout)]
+
+
+def _outline(drawing: Drawing) -> str:
+    """Path data of the largest ring, in pixels."""
+    rings = [ring.curves for shape in drawing.shapes for ring in shape.rings]
+    largest = max(rings, key=lambda curves: abs(signed_area(curves)))
+    box = drawing.box
+    scaled = (largest - [box.x, box.y]) * (UNIT / max(box.width, box.height))
+    return path_data(scaled[None], [len(largest)], [True], 2)[0]
+
+
+def bent_grid(side: int) -> MeshPair:
+    """A square grid of quads that becomes an arch."""
+    points, quads = grid(side, side)
+    x, y = (points - points.min(axis=0)).T / np.ptp(points, axis=0).max()
+    angle, radius = np.pi * (1 - x), 1.5 - y
+    arch = np.stack([radius * np.cos(angle), -radius * np.sin(angle)], axis=1)
+    return MeshPair(np.stack([x, y], axis=1), arch, quads)
+
+
+def scaling(side: int) -> tuple[int, float, float]:
+    """Quads of a grid, and the projective method's seconds to prepare it and for one frame."""
+    pair = bent_grid(side)
+    start = time.process_time()
+    tween = Projective(pair)
+    ready = time.process_time()
+    times = FRAMES[: max(1, MOST_CORNERS // (4 * side * side))]
+    tween.vertices(times)
+    return side * side, ready - start, (time.process_time() - ready) / len(times)
+
+
+def exponent(sizes: Floats, seconds: Floats) -> float:
+    """Power of the size that seconds grow with, between the first and the last."""
+    return float(np.log(seconds[-1] / seconds[0]) / np.log(sizes[-1] / sizes[0]))
+
+
+def _alone(*arguments: str) -> float:
+    """Seconds of processor time of a Python process of its own."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, *arguments], cwd=ROOT, check=True, capture_output=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
+def startups(folder: Path, rounds: int = 5) -> dict[str, tuple[float, float]]:
+    """Seconds of whole commands, and of importing what they cannot do without, in turn."""
+    inputs = [str(ROOT / f"gallery/inputs/{name}.svg") for name in PAIRS[0]]
+    morph = ["morph", *inputs, "-o", str(folder / "out.svg")]
+    found = {}
+    for name, command, floor in (
+        ("shapetween --help", ["--help"], "import click"),
+        ("shapetween morph", morph, "import numpy, scipy.sparse.linalg, shapely"),
+    ):
+        pairs = [(_alone("-m", "shapetween", *command), _alone("-c", floor)) for _ in range(rounds)]
+        found[name] = median(a for a, _ in pairs), median(b for _, b in pairs)
+    return found
+
+
+def peak_memory(code: str) -> float:
+    """Most memory, in MB, of a Python process of its own that runs some code.
+
+    The system counts it as no less than this process's at that moment.
+    """
+    code += "\nimport resource; print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    unit = 1e6 if sys.platform == "darwin" else 1e3
+    return float(done.stdout.split()[-1]) / unit
+
+
+def machine() -> str:
+    """What is measured on."""
+    name = platform.processor() or platform.machine()
+    cpus = Path("/proc/cpuinfo")
+    if cpus.exists():
+        models = [x for x in cpus.read_text("utf-8").splitlines() if x.startswith("model name")]
+        name = models[0].partition(":")[2].strip() if models else name
+    return f"{name}, {os.cpu_count()} cores, Python {platform.python_version()}"
