@@ -16,7 +16,7 @@ from shapetween.errors import MeshError, OutlineError
 from shapetween.fill import FillSettings
 from shapetween.geometry.bezier import flatten
 from shapetween.outline import Outline
-from shapetween.pairing import Thing, pair_things
+from shapetween.pairing import LEFT, Thing, pair_things
 from shapetween.regions import Region
 from shapetween.riding import AffinePlane, MeshPlane, Plane
 from shapetween.ring import match_outer
@@ -198,7 +198,7 @@ def _matched(
     points = np.concatenate([o.box for o in (*first, *second)])
     scale = float(np.linalg.norm(np.ptp(points, axis=0)))
     things = [[_thing(outline) for outline in side] for side in (first, second)]
-    pairing = pair_things(things[0], things[1], scale)
+    pairing = pair_things(things[0], things[1], scale, left=LEFT)
     return [
         match_outer(
             first[i],

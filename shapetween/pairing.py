@@ -11,7 +11,7 @@ from shapetween.arrays import Floats, Mask, Points
 from shapetween.drawing import Shape
 from shapetween.paint import Colour, Gradient, Paint
 
-__all__ = ["Pairing", "Thing", "pair_shapes", "pair_things"]
+__all__ = ["LEFT", "Pairing", "Thing", "pair_shapes", "pair_things"]
 
 #: What a move by the own size, a factor e in size, black to white in paint, bottom to top in order,
 #: fill against line, and open against closed cost. Distance counts most: what stays near its place
@@ -32,6 +32,12 @@ REACH = 0.15
 #: beside that. More, and strangers far apart become each other; less, and everything comes and
 #: goes.
 LEFT, LARGE = 0.5, 0.6
+
+#: What leaving alone costs among the pieces and holes of one shape, which are all of one kind.
+PIECE_LEFT = 1.2
+
+#: What a pair of areas in one paint saves where both drawings have as many of them.
+COMPLETE = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,6 +82,7 @@ def pair_things(
     scale: float,
     extra: Floats | None = None,
     fixed: Sequence[tuple[int, int]] = (),
+    left: float = PIECE_LEFT,
 ) -> Pairing:
     """Match what belongs together, at the least total cost of pairs and of what is left alone.
 
@@ -90,13 +97,15 @@ def pair_things(
         Further cost of each pair.
     fixed : sequence of (int, int)
         Pairs that are settled.
+    left : float
+        Cost of leaving one thing alone.
     """
     rows = [i for i in range(len(first)) if i not in {a for a, _ in fixed}]
     columns = [j for j in range(len(second)) if j not in {b for _, b in fixed}]
     pairs = list(fixed)
     if rows and columns:
         cost = _costs(first, second, scale)
-        pairs += _cheapest(cost if extra is None else cost + extra, rows, columns)
+        pairs += _cheapest(cost if extra is None else cost + extra, rows, columns, left)
     pairs.sort()
     return Pairing(
         tuple(pairs),
@@ -120,7 +129,9 @@ def _costs(first: Sequence[Thing], second: Sequence[Thing], scale: float) -> Flo
     return np.asarray(cost)
 
 
-def _cheapest(every: Floats, rows: list[int], columns: list[int]) -> list[tuple[int, int]]:
+def _cheapest(
+    every: Floats, rows: list[int], columns: list[int], left: float
+) -> list[tuple[int, int]]:
     """Pairs of some rows and columns of the costs, as long as they cost less than to be alone."""
     if len(rows) == len(columns) == 1:
         return [(rows[0], columns[0])]
@@ -131,8 +142,8 @@ def _cheapest(every: Floats, rows: list[int], columns: list[int]) -> list[tuple[
     height, width = cost.shape
     table = np.full((height + width, height + width), np.inf)
     table[:height, :width] = cost
-    table[np.arange(height), width + np.arange(height)] = LEFT
-    table[height + np.arange(width), np.arange(width)] = LEFT
+    table[np.arange(height), width + np.arange(height)] = left
+    table[height + np.arange(width), np.arange(width)] = left
     table[height:, width:] = 0.0
     found = zip(*(k.tolist() for k in linear_sum_assignment(table)), strict=True)
     chosen = [(i, j) for i, j in found if i < height and j < width]
@@ -187,12 +198,23 @@ def pair_shapes(
     ]
     extra = extra + OPEN * np.abs(rings[0][:, None] - rings[1])
     extra = extra + ORDER * np.abs(orders[0][:, None] - orders[1])
+    extra = extra - COMPLETE * _complete(first, second)
     if shared is not None:
         extra = extra + OVERLAP * (1 - shared)
     if barred is not None:
         extra = np.where(barred, np.inf, extra)
     things = [_thing(shape) for shape in first] if brought is None else brought
-    return pair_things(things, [_thing(shape) for shape in second], scale, extra, settled)
+    return pair_things(things, [_thing(shape) for shape in second], scale, extra, settled, LEFT)
+
+
+def _complete(first: Sequence[Shape], second: Sequence[Shape]) -> Mask:
+    """Pairs of areas in one paint of which both drawings have as many, (N, M)."""
+    kinds = [
+        [(s.style.fill is None, s.style.fill, s.style.opacity) for s in x] for x in (first, second)
+    ]
+    counts = [Counter(side) for side in kinds]
+    whole = {k for k in counts[0] if not k[0] and counts[0][k] == counts[1][k]}
+    return np.array([[one == other and one in whole for other in kinds[1]] for one in kinds[0]])
 
 
 def _thing(shape: Shape) -> Thing:

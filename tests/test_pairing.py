@@ -77,7 +77,7 @@ def test_at_the_least_cost_whatever_the_order(
 
     def total(pairs: Iterable[tuple[int, int]]) -> float:
         chosen = list(pairs)
-        return sum(cost(i, j) for i, j in chosen) + 0.5 * (len(a) + len(b) - 2 * len(chosen))
+        return sum(cost(i, j) for i, j in chosen) + 1.2 * (len(a) + len(b) - 2 * len(chosen))
 
     least = min(
         total(zip(rows, columns, strict=True))
@@ -94,6 +94,7 @@ def test_at_the_least_cost_whatever_the_order(
 def test_strangers_are_left_alone_but_for_the_last_two() -> None:
     near, far = things((0, 0, 2), (100, 100, 2)), things((1, 0, 2), (100, 0, 2))
     assert pair_things(near, far, 150) == Pairing(pairs((0, 0)), (1,), (1,))
+    assert pair_things(near, far, 150, left=3).pairs == pairs((0, 0), (1, 1))
     assert pair_things(near[1:], far[1:], 150).pairs == pairs((0, 0))
     assert pair_things(things((0, 0, 1), (9, 9, 1)), things((90, 90, 50)), 150).pairs
 
@@ -146,3 +147,10 @@ def test_lines_become_lines_and_areas_areas() -> None:
 def test_twins_keep_their_paint_order() -> None:
     twin = area(square(40, 40, 20))
     assert paired([twin] * 3, [twin] * 3) == pairs((0, 0), (1, 1), (2, 2))
+
+
+def test_as_many_in_one_paint_all_have_partners() -> None:
+    first = [area(square(10 * k, 10, 6), colour=RED) for k in range(4)]
+    second = [area(square(10 * k, 45, 6), colour=RED) for k in range(4)]
+    assert paired(first, second) == pairs((0, 0), (1, 1), (2, 2), (3, 3))
+    assert len(paired(first[:3], second)) < 3
