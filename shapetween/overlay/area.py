@@ -18,7 +18,7 @@ from shapetween.paint import FillRule
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-__all__ = ["filled_area", "meetings", "windings"]
+__all__ = ["filled_area", "hidden_share", "meetings", "windings"]
 
 #: Distance, as a share of the extent of all rings, between the places that crossings may have.
 #: Sides that run there and back on one curve, but for the last digit, fall together. It must stay
@@ -81,6 +81,28 @@ def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry | N
     )
     enclosed = np.bincount(gap, weights=shared, minlength=len(gaps)) > around[thin] / 2
     return shapely.coverage_union_all([*sound, *gaps[enclosed]])
+
+
+def hidden_share(polylines: Sequence[Points], rule: FillRule) -> float:
+    """Share of closed rings' length that lies inside of what they fill together.
+
+    A stroke is seen there, though the area's own outline does not run there. It is 0 where that
+    would take too long to tell.
+
+    Parameters
+    ----------
+    polylines : sequence of (N, 2) float64
+    rule : {"nonzero", "evenodd"}
+    """
+    import shapely
+
+    if len(polylines) == 1 and shapely.Polygon(polylines[0]).is_valid:
+        return 0.0
+    area = filled_area(polylines, rule)
+    if area is None:
+        return 0.0
+    length = sum(float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()) for line in polylines)
+    return max(0.0, 1.0 - float(area.length) / length) if length > 0 else 0.0
 
 
 def meetings(starts: Points, ends: Points) -> float:

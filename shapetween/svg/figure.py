@@ -8,6 +8,8 @@ import numpy as np
 
 from shapetween.drawing import Shape
 from shapetween.outline import Outline
+from shapetween.overlay.area import hidden_share
+from shapetween.overlay.chords import chords_of
 from shapetween.paint import Style
 from shapetween.svg.document import Document
 from shapetween.svg.painting import picture_style, style_of
@@ -23,14 +25,20 @@ __all__ = ["rings_of", "shapes_of", "subpaths_of"]
 LOST_TAIL = "a shape was drawn only as far as its data is sound"
 LOST_RANGE = "a ring with numbers out of all range was left out"
 
+#: Share of its length up to which a stroke inside of what it surrounds is left out: ends of
+#: outlines that overlap a little. Lower and fill and stroke of such shapes part for nothing.
+HIDDEN = 0.05
+
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(["'])(.*)\1\s*\)""", re.DOTALL)
 
 
 def shapes_of(document: Document, placed: Placed) -> list[Shape]:
-    """What a shape's element paints: nothing, a shape, or two where the stroke lies under the fill.
+    """What a shape's element paints: nothing, a shape, or fill and stroke as two.
 
-    Clips are not yet applied.
+    They are two where the stroke lies under the fill, and where it is seen inside of it, as in a
+    five-pointed star drawn in one go: the outline of what is filled does not run there. Clips are
+    not yet applied.
 
     Raises
     ------
@@ -55,6 +63,11 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     layers = [style]
     if style.fill is not None and style.stroke is not None and _stroke_first(placed):
         layers = [replace(style, fill=None), replace(style, stroke=None)]
+    elif style.fill is not None and style.stroke is not None and style.opacity == 1:
+        closed = [ring for ring in rings_of(document, placed, subpaths, style) if ring.closed]
+        lines = chords_of(closed).polylines if closed else ()
+        if hidden_share(lines, style.fill_rule) > HIDDEN:
+            layers = [replace(style, stroke=None), replace(style, fill=None)]
     shapes = []
     for layer in layers:
         rings = rings_of(document, placed, subpaths, layer)

@@ -13,7 +13,7 @@ from PIL import Image
 from shapetween.arrays import Curves
 from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.outline import Outline
-from shapetween.overlay.area import filled_area, windings
+from shapetween.overlay.area import filled_area, hidden_share, windings
 from shapetween.overlay.chords import FLATNESS, chords_of, joined
 from shapetween.overlay.trace import traced
 from shapetween.paint import FillRule
@@ -191,3 +191,14 @@ def test_parts_of_several_drawings_keep_their_own_curves() -> None:
     meeting = found.curves[np.abs(found.curves[:, 0, 1]) > 0.5, 0]
     np.testing.assert_allclose(np.linalg.norm(meeting, axis=1), 100, rtol=3e-4)
     np.testing.assert_allclose(np.linalg.norm(meeting - [100, 0], axis=1), 1, rtol=3e-4)
+
+
+def test_what_a_stroke_shows_inside_is_measured() -> None:
+    angle = np.arange(6) * 4 * np.pi / 5
+    star = np.stack([np.sin(angle), -np.cos(angle)], axis=1)
+    # The inner pentagon's sides are to the points' as 1 to the golden ratio.
+    golden = (1 + np.sqrt(5)) / 2
+    assert hidden_share([star], "nonzero") == pytest.approx(1 / (1 + 2 * golden), rel=1e-3)
+    assert hidden_share([star], "evenodd") == pytest.approx(0, abs=1e-3)
+    assert hidden_share([star[:3]], "nonzero") == 0
+    assert hidden_share([], "nonzero") == 0

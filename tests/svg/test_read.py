@@ -440,3 +440,13 @@ def test_style_sheets_meet_a_budget() -> None:
 )
 def test_absurd_style_sheets_are_survived(sheet: str) -> None:
     assert len(read(f"<style>{sheet}</style>{square()}").shapes) == 1
+
+
+def test_a_stroke_seen_inside_of_its_fill_is_a_shape_of_its_own() -> None:
+    star = '<path id="s" d="M50 5L79 95L2 38H98L21 95Z" stroke="red" fill-rule="{}"/>'
+    for rule, count in (("nonzero", 2), ("evenodd", 1)):
+        shapes = read(star.format(rule)).shapes
+        assert len(shapes) == count
+        assert shapes[0].style.fill is not None
+        assert shapes[-1].style.stroke is not None
+        assert {shape.name for shape in shapes} == {"s"}
