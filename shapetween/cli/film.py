@@ -41,6 +41,9 @@ MOST_PIXELS = 64_000_000
 Writer: TypeAlias = Callable[[Path], None]
 """Writes what it was made for to a place."""
 
+Ready: TypeAlias = tuple[Writer, tuple[str, ...]]
+"""What writes a film, and what there is to warn of."""
+
 
 def moving_pictures(
     result: "Morph | Chain",
@@ -50,7 +53,7 @@ def moving_pictures(
     size: tuple[int, ...] | None,
     background: str | None,
     timing: Mapping[str, Any],
-) -> Writer:
+) -> Ready:
     """Prepare one file of moving pictures.
 
     Parameters
@@ -84,7 +87,8 @@ def moving_pictures(
     closed = getattr(result, "closed", False)
     order = _order(film, held, timing["loop"], closed)
     clock = Clock(len(order), fps, timing["loop"] != "once")
-    return lambda path: write(path, counted(film.frames(order, workers()), len(order), run), clock)
+    frames = counted(film.frames(order, workers()), len(order), run)
+    return lambda path: write(path, frames, clock), film.warnings
 
 
 def still_pictures(
@@ -94,7 +98,7 @@ def still_pictures(
     easing: str,
     size: tuple[int, ...] | None,
     background: str | None,
-) -> Writer:
+) -> Ready:
     """Prepare a folder of PNG frames, `count` from each drawing to the next.
 
     Raises
@@ -107,7 +111,8 @@ def still_pictures(
 
     film = _film(result, count, easing, size, background)
     frames = counted(film.frames(None, workers()), film.count, run)
-    return lambda path: write_folder(path, frames, Clock(film.count, DEFAULT_FPS, False))
+    clock = Clock(film.count, DEFAULT_FPS, False)
+    return lambda path: write_folder(path, frames, clock), film.warnings
 
 
 def _film(

@@ -169,7 +169,14 @@ class Common:
 
         files.check_outputs([out, *([self.report] if self.report else [])], inputs)
 
-    def finish(self, result: "Morph | Chain", out: Path, content: Content, run: Progress) -> None:
+    def finish(
+        self,
+        result: "Morph | Chain",
+        out: Path,
+        content: Content,
+        run: Progress,
+        said: Sequence[str] = (),
+    ) -> None:
         """Write the output, and the report if one is wanted, and say what there is to say."""
         from shapetween import files
 
@@ -189,7 +196,7 @@ class Common:
         run.close()
         if self.quiet:
             return
-        for warning in result.warnings:
+        for warning in (*result.warnings, *said):
             click.echo(f"shapetween: warning: {warning}", err=True)
         if self.verbose:
             click.echo(json.dumps(report, indent=1), err=True)

@@ -106,8 +106,8 @@ def morph(
         result = common.prepare_all(drawings, path, run, pictures=pictures)
         if pictures:
             with run("draw"):
-                written = moving_pictures(result, path, run, fps, size, background, settings)
-            common.finish(result, path, written, run)
+                written, said = moving_pictures(result, path, run, fps, size, background, settings)
+            common.finish(result, path, written, run, said)
             return
         with run("write"):
             text = result.svg(precision=common.precision, **settings)
@@ -162,8 +162,8 @@ def frames(
         result = common.prepare_all(drawings, folder, run, pictures=png)
         if png:
             with run("draw"):
-                written = still_pictures(result, run, count, easing, size, background)
-            common.finish(result, folder, written, run)
+                written, said = still_pictures(result, run, count, easing, size, background)
+            common.finish(result, folder, written, run, said)
             return
         with run("write"):
             from shapetween.svg.sequence import frame_svg

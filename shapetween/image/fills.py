@@ -54,12 +54,15 @@ class Fill:
         Corners of the triangles in each picture's pixels.
     pictures : (Picture, Picture)
         What fills it at the start and at the end.
+    empty : tuple of str
+        Files whose texture shows nothing, as a picture does that is damaged.
     """
 
     path: VertexPath
     triangles: Index
     ends: tuple[Points, Points]
     pictures: tuple[Picture, Picture]
+    empty: tuple[str, ...] = ()
 
     def vertices(self, t: Floats) -> Points:
         """The mesh at the times (F,), (F, V, 2), in user units."""
@@ -110,7 +113,7 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     path, triangles = _mesh(part, whole[0])
     places = path.vertices(np.array([0.0, 1.0]))
     growth = np.sqrt(_areas(places, triangles))
-    ends, pictures = [], []
+    ends, pictures, empty = [], [], []
     for k in (0, 1):
         # What is nothing at one end shows there what it shows at the other, at no size.
         end = k if k in whole else whole[0]
@@ -118,7 +121,10 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
         picture, window = _picture(styles[end], curves[end], fit, larger)
         ends.append(mapped(places[end], window)[triangles])
         pictures.append(picture)
-    return Fill(path, triangles, (ends[0], ends[1]), (pictures[0], pictures[1]))
+        texture = styles[end].texture
+        if texture is not None and not picture.light[..., 3].any():
+            empty.append(texture.name)
+    return Fill(path, triangles, (ends[0], ends[1]), (pictures[0], pictures[1]), tuple(empty))
 
 
 def _areas(places: Points, triangles: Index) -> Floats:

@@ -111,6 +111,13 @@ class Film:
         return cls(tuple(movements), times, size, fit, fills, background)
 
     @property
+    def warnings(self) -> tuple[str, ...]:
+        """What does not show as it may have been meant, one line each."""
+        names = (name for fills in self.fills for fill in fills.values() for name in fill.empty)
+        told = "a pattern or picture in it shows nothing"
+        return tuple(f"{name}: {told}" for name in dict.fromkeys(names))
+
+    @property
     def count(self) -> int:
         """How many frames there are."""
         return 1 + len(self.movements) * (len(self.times) - 1)

@@ -216,6 +216,12 @@ def test_what_cannot_be_drawn_is_told() -> None:
         drawn_apart("<svg", 10, 10, "it.svg")
 
 
+def test_a_damaged_picture_is_told(tmp_path: Path) -> None:
+    damaged = "data:image/png;base64," + base64.b64encode(png((1, 2, 3))[:40]).decode()
+    shown = film(tmp_path, clipped(damaged), filled(STRIPES))
+    assert shown.warnings == (f"{tmp_path / 'a.svg'}: a pattern or picture in it shows nothing",)
+
+
 @pytest.mark.parametrize(
     "tile",
     [
