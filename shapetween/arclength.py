@@ -9,9 +9,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.arrays import Complex, Curves, Floats, Index, Points
 from shapetween.errors import OutlineError
 from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.linearmaps import as_complex, as_points, squared
 from shapetween.outline import Outline
 
 __all__ = ["ArcLength"]
@@ -202,16 +203,20 @@ class ArcLength:
         size = np.diff(self._bounds)[piece] * self.length
         share = np.where(size > 0, wanted / np.where(size > 0, size, 1.0), 0.0)
         t: Floats = low + (high - low) * np.clip(share, 0.0, 1.0)
+        left = np.arange(len(t))  # places not found yet: soon they are few
         for _ in range(MAX_STEPS):
-            excess = _lengths(steps, begin, t) - wanted
-            low, high = np.where(excess < 0, t, low), np.where(excess > 0, t, high)
-            speed = np.linalg.norm(_velocity(steps, t), axis=-1)
-            step = t - excess / np.where(speed > 0, speed, np.inf)
-            inside = (step >= low) & (step <= high)
-            done = (np.abs(excess) <= PLACE_ERROR * self.length) | (low == high)
-            if done.all():
+            here, speeds = t[left], steps[left]
+            excess = _lengths(speeds, begin[left], here) - wanted[left]
+            low, high = np.where(excess < 0, here, low), np.where(excess > 0, here, high)
+            rest = (np.abs(excess) > PLACE_ERROR * self.length) & (low != high)
+            if not rest.any():
                 break
-            t = np.where(done, t, np.where(inside, step, (low + high) / 2))
+            left, here, excess = left[rest], here[rest], excess[rest]
+            low, high = low[rest], high[rest]
+            speed = np.linalg.norm(_velocity(speeds[rest], here), axis=-1)
+            step = here - excess / np.where(speed > 0, speed, np.inf)
+            inside = (step >= low) & (step <= high)
+            t[left] = np.where(inside, step, (low + high) / 2)
         return t
 
     def _closest(
@@ -239,9 +244,13 @@ class ArcLength:
 
 def _velocity(steps: Points, t: Floats) -> Points:
     """First derivative, for (..., 3, 2) steps at (...) parameters."""
-    s, t = (1 - t)[..., None], t[..., None]
-    first, second, third = np.moveaxis(steps, -2, 0)
-    return np.asarray(s * (s * first + 2 * t * second) + t * t * third)
+    return as_points(_speeding(as_complex(steps), t))
+
+
+def _speeding(steps: Complex, t: Floats) -> Complex:
+    """First derivative as complex numbers, for (..., 3) steps at (...) parameters."""
+    s = 1 - t
+    return np.asarray(s * (s * steps[..., 0] + 2 * t * steps[..., 1]) + t * t * steps[..., 2])
 
 
 def _acceleration(steps: Points, t: Floats) -> Points:
@@ -254,5 +263,5 @@ def _acceleration(steps: Points, t: Floats) -> Points:
 def _lengths(steps: Curves, low: Floats, high: Floats) -> Floats:
     """Length of each curve between two parameters; negative where ``low > high``."""
     t = low[..., None] + (high - low)[..., None] * (NODES + 1) / 2
-    speed = np.linalg.norm(_velocity(steps[..., None, :, :], t), axis=-1)
+    speed = np.sqrt(squared(_speeding(as_complex(steps)[..., None, :], t)))
     return np.asarray(speed @ WEIGHTS * (high - low) / 2)
