@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.arrays import Complex, Floats, Index, Points
+from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.polygon import polygon_area
 
 __all__ = ["outline_nodes"]
@@ -35,8 +36,10 @@ def outline_nodes(
     Douglas and Peucker's simplification of the two outlines as one curve in four dimensions, the
     deviation being the larger of the two.
     """
-    outlines = [p / np.sqrt(abs(float(polygon_area(p)))) for p in (source, target)]
     count = len(source)
+    # Both in one array of complex numbers, gone round twice, so that every span is a slice.
+    outlines = np.stack([p / np.sqrt(abs(float(polygon_area(p)))) for p in (source, target)])
+    around = np.tile(as_complex(outlines), (1, 2))
     nodes = set(kept.tolist())
     ordered = kept.tolist()
     spans = [(i, j) for i, j in zip(ordered, [*ordered[1:], ordered[0] + count], strict=True)]
@@ -44,15 +47,10 @@ def outline_nodes(
         first, last = spans.pop()
         if last - first < 2:
             continue
-        inner = np.arange(first + 1, last)
-        deviation, length = np.zeros(len(inner)), 0.0
-        for points in outlines:
-            a, b = points[first % count], points[last % count]
-            deviation = np.maximum(deviation, _distance(points[inner % count], a, b))
-            length = max(length, float(np.linalg.norm(b - a)))
+        deviation = _distances(around[:, first : last + 1]).max(axis=0)
         if deviation.max() > tolerance:
             middle = first + 1 + int(deviation.argmax())
-        elif length > span:
+        elif np.abs(around[:, last] - around[:, first]).max() > span:
             middle = (first + last) // 2
         else:
             continue
@@ -61,11 +59,15 @@ def outline_nodes(
     return np.array(sorted(nodes), dtype=np.intp)
 
 
-def _distance(points: Points, a: Points, b: Points) -> Floats:
-    """Distance of points to the chord a-b, the part beyond its ends counted, (N,)."""
-    chord = b - a
-    square = float(chord @ chord)
-    along = (
-        np.clip((points - a) @ chord / square, 0.0, 1.0) if square > 0 else np.zeros(len(points))
-    )
-    return np.asarray(np.linalg.norm(points - a - along[:, None] * chord, axis=1))
+def _distances(points: Complex) -> Floats:
+    """Distance of the inner points to the chord of the outer ones, its ends counted, (K, N - 2).
+
+    Parameters
+    ----------
+    points : (K, N) complex128
+    """
+    offset = points[:, 1:-1] - points[:, :1]
+    chord = points[:, -1:] - points[:, :1]
+    square = squared(chord)
+    along = (offset * chord.conj()).real / np.where(square > 0, square, 1.0)
+    return np.abs(offset - np.minimum(np.maximum(along, 0.0), 1.0) * chord)
