@@ -87,6 +87,8 @@ class Flow:
 
     def carries(self, point: Points) -> bool:
         """Whether a place (2,) at the start is on what moves as one, not beside it."""
+        if not self.bodies:
+            return True
         near = BESIDE * max(lane.extents[0] for lane in self.lanes)
         return any(lane.distance(point, 0) <= near for lane in self.lanes)
 

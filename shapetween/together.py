@@ -72,6 +72,8 @@ def move_together(
     if rides:
         flow = drawing_flow(first, second, areas, boxes, settings)
     hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
+    if flow.exact:
+        settled = [(k, k) for k in range(len(first))]
     pairing = pair_shapes(
         first,
         second,
