@@ -172,6 +172,42 @@ def test_a_fill_rule_that_shows_nothing_is_refused() -> None:
         regions(square(0, 0, 4), square(0, 0, 4), rule="evenodd")
 
 
+def coast(x: float, y: float, radius: float, *, back: bool = False) -> Outline:
+    """A closed line of a thousand short sides."""
+    angle = np.linspace(0, 2 * np.pi, 1000, endpoint=False)
+    reach = radius * (1 + 0.02 * np.sin(37 * angle))
+    points = np.stack([x + reach * np.cos(angle), y + reach * np.sin(angle)], axis=1)
+    found = ring(*map(tuple, points.tolist()))
+    return found.reversed() if back else found
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_maps_of_thousands_of_sides_go_by_their_windings(turned: bool) -> None:
+    """Land, a lake, an island in it, and land that overlaps land, whichever way land runs."""
+    rings = (
+        coast(0, 0, 10, back=turned),
+        coast(3, 0, 4, back=not turned),
+        coast(3, 0, 1, back=turned),
+        coast(-9, 0, 5, back=turned),
+        coast(-4, -4, 2, back=turned),
+    )
+    land, lake, island, more, _ = (shapely.Polygon(polygon(r)) for r in rings)
+    expected = land.union(more).difference(lake).area
+    first, second = regions(*rings)
+    assert [len(first.holes), len(second.holes)] == [1, 0]
+    assert first.area - first.holes[0].area == pytest.approx(expected, rel=1e-4)
+    assert second.area == pytest.approx(island.area, rel=1e-4)
+
+
+def test_crossing_outlines_keep_their_curves() -> None:
+    """Two discs are cut where they meet and nowhere else: six quarters, and two that are parted."""
+    discs = [Outline(circle(np.array([x, 0.0]), 2.0)) for x in (0, 2)]
+    (united,) = regions(*discs)
+    assert len(united.outer.curves) == 8
+    lune, other = regions(*discs, rule="evenodd")
+    assert [len(lune.outer.curves), len(other.outer.curves)] == [6, 6]
+
+
 corners = st.lists(
     st.tuples(st.integers(0, 12), st.integers(0, 12)), min_size=3, max_size=7, unique=True
 )
