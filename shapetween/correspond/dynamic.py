@@ -141,14 +141,15 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
     count = len(cost)
     station = np.arange(count)
     tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
-    prices = _prices(_barred(cost + tilt, fixed)) - reward
+    # The second ring goes on for as long as the last start's path.
+    rows, columns = np.arange(count + 1) % count, np.arange(int(starts.max()) + count + 1) % count
+    prices = _prices(_barred(cost + tilt, fixed), len(rows), len(columns))
+    prices -= reward[np.ix_(rows, columns)]
     for (di, dj), price in zip(MOVES, prices, strict=True):
         # No move may step over a fixed station of either ring.
-        price[(fixed[:, None] + np.arange(1, di)).ravel() % count] = np.inf
-        price[:, (fixed[:, None] + np.arange(1, dj)).ravel() % count] = np.inf
-    around = np.concatenate([prices, prices[:, :1]], axis=1)
-    columns = np.arange(int(starts.max()) + count + 1) % count
-    return Paths(np.take(around, columns, axis=2), starts, count)
+        price[np.isin(rows, (fixed[:, None] + np.arange(1, di)) % count)] = np.inf
+        price[:, np.isin(columns, (fixed[:, None] + np.arange(1, dj)) % count)] = np.inf
+    return Paths(prices, starts, count)
 
 
 def _barred(cost: Floats, fixed: Index) -> Floats:
@@ -159,16 +160,19 @@ def _barred(cost: Floats, fixed: Index) -> Floats:
     return barred
 
 
-def _prices(cost: Floats) -> Floats:
-    """Price of each move where it ends: the mean cost on its way times its length, and skew."""
+def _prices(cost: Floats, rows: int, columns: int) -> Floats:
+    """Price of each move where it ends: the mean cost on its way times its length, and skew.
+
+    Both ways round and round again the costs, (n, n) to (M, rows, columns).
+    """
     count = len(cost)
-    around = np.pad(cost, ((REACH, 0), (REACH, 0)), mode="wrap")
-    prices = np.zeros((len(MOVES), count, count))
+    around = cost[np.ix_(np.arange(-REACH, rows) % count, np.arange(-REACH, columns) % count)]
+    prices = np.zeros((len(MOVES), rows, columns))
     for (di, dj), price in zip(MOVES, prices, strict=True):
         steps = max(di, dj)
         for q in range(steps):
             i, j = REACH - q * di // steps, REACH - q * dj // steps
-            price += around[i : i + count, j : j + count]
+            price += around[i : i + rows, j : j + columns]
         price *= (di + dj) / 2 / steps
         price += SKEW_PRICE * abs(di - dj)
     return prices
@@ -189,5 +193,5 @@ def open_path(cost: Floats) -> tuple[Index, Index]:
     count = len(cost)
     station = np.arange(count)
     tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
-    paths = Paths(_prices(cost + tilt), np.zeros(1, dtype=np.intp), count - 1)
+    paths = Paths(_prices(cost + tilt, count, count), np.zeros(1, dtype=np.intp), count - 1)
     return paths.trace(0)
