@@ -34,6 +34,10 @@ MOST_TOGETHER = 12
 #: piece with a mesh has. Coasts have hundreds of islands.
 MOST_MESHED, LEAST_MESHED = 16, 1e-3
 
+#: Most holes of a piece that become holes of the other. Where there are more, as in an engraving,
+#: the smaller ones close and open: none is known again, and each would take its time.
+MOST_HOLES = 16
+
 #: Share of a shape's area past which its largest piece is the shape, the others its islands.
 MAIN = 0.5
 
@@ -271,16 +275,20 @@ def _matched_holes(
     put = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
     after = [_thing(Region(hole)) for hole in second.holes]
     pairing = pair_things(put, after, size)
+    sizes = [-max(before[i].size, after[j].size) for i, j in pairing.pairs]
+    order = np.argsort(sizes, kind="stable").tolist()
+    chosen = sorted(pairing.pairs[k] for k in order[:MOST_HOLES])
     matched, alone = [], []
-    for i, j in pairing.pairs:
+    for i, j in chosen:
         try:
             matched.append(
                 match_hole(first.holes[i], second.holes[j], float(angle), settings.observe)
             )
         except OutlineError:
             alone += [(first.holes[i], False), (second.holes[j], True)]
-    alone += [(first.holes[i], False) for i in pairing.first_only]
-    alone += [(second.holes[j], True) for j in pairing.second_only]
+    for side, holes in enumerate((first.holes, second.holes)):
+        known = {pair[side] for pair in chosen}
+        alone += [(hole, bool(side)) for k, hole in enumerate(holes) if k not in known]
     return matched, alone
 
 
@@ -311,7 +319,7 @@ def _alone(rings: list[RingMatch], settings: FillSettings) -> Carried:
     many = len(outer.source.curves) + len(outer.target.curves) > MANY_CURVES
     best = unfolded(rings, settings.method, TOLERANCES[:1] if many else TOLERANCES)
     pinned = outer.found == "given" or len(settings.used_pins) > 0
-    if many or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
+    if many or outer.coarse or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
         return best
     for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
         found = unfolded([other, *holes], settings.method, TOLERANCES[:2])

@@ -39,7 +39,7 @@ MANY_CURVES = 600
 
 #: Corners of all coarse outlines of a shape at most. More keep more of the shape from folding, and
 #: cost time with their square.
-CORNERS = 120
+CORNERS = 100
 
 
 def match_outer(
