@@ -12,11 +12,13 @@ from shapetween.arclength import ArcLength
 from shapetween.arrays import Curves, Floats, Points
 from shapetween.correspond.dynamic import cyclic_paths, open_path
 from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.polygon import cross
+from shapetween.geometry.rotation import rotations
 from shapetween.matched import MatchedOutlines
 from shapetween.outline import Outline
 from shapetween.riding import Plane
 
-__all__ = ["matched_nearby"]
+__all__ = ["Parts", "matched_nearby", "turn_between"]
 
 #: Stations two outlines are matched by. Fewer lose fingers, more cost time with the square.
 STATIONS = 64
@@ -30,6 +32,10 @@ DIRECTION = 0.08
 #: Distance of their middles, as a share of their size, past which outlines are laid on each other
 #: before they are matched: what only moved is not matched askew.
 APART = 0.25
+
+#: Share of the distance between two outlines, laid on each other, that a turn must save to be made.
+#: Lines that fit no better when turned go straight.
+TURN_SAVES = 0.3
 
 #: Distance of every control point, as a share of the size, up to which two outlines are one.
 SAME = 1e-6
@@ -123,7 +129,8 @@ def _open(places: tuple[ArcLength, ArcLength], plane: Plane, fine: bool) -> Part
     if np.trace(costs[1]) < np.trace(costs[0]) * (1 - SAME):
         pair, costs = (pair[0], ArcLength(pair[1].outline.reversed())), costs[::-1]
     if fine:
-        rows, columns = open_path(costs[0])
+        turned = _laid_on(first, pair[1].point(even))
+        rows, columns = open_path(costs[0] if turned is None else turned)
         u, v = rows / (STATIONS - 1), columns / (STATIONS - 1)
     else:
         u = v = np.array([0.0, 1.0])
@@ -170,6 +177,24 @@ def _costs(first: Points, second: Points, *, closed: bool) -> Floats:
     away = ((first[:, None] - second) ** 2).sum(-1) / size**2
     directions = [_directions(p, closed) for p in (first, second)]
     return np.asarray(away + DIRECTION * (1 - directions[0] @ directions[1].T))
+
+
+def _laid_on(first: Points, second: Points) -> Floats | None:
+    """Costs of two open lines once the first is turned to lie on the second, if that tells more."""
+    angle = turn_between(first, second)
+    if not angle:
+        return None
+    turned = (first - first.mean(axis=0)) @ rotations(np.asarray(angle)).T
+    return _costs(turned, second - second.mean(axis=0), closed=False)
+
+
+def turn_between(first: Points, second: Points) -> float:
+    """Angle about their means that lays points (N, 2) on others far better than none does, or 0."""
+    a, b = first - first.mean(axis=0), second - second.mean(axis=0)
+    angle = float(np.arctan2(cross(a, b).sum(), (a * b).sum()))
+    straight = ((a - b) ** 2).sum()
+    saves = straight - ((a @ rotations(np.asarray(angle)).T - b) ** 2).sum()
+    return angle if saves > TURN_SAVES * straight else 0.0
 
 
 def _directions(points: Points, closed: bool) -> Points:

@@ -7,9 +7,9 @@ import numpy as np
 from shapetween.arrays import Curves, Floats
 from shapetween.blend import blend
 from shapetween.body import Carried
-from shapetween.lines import LineMorph
 from shapetween.paint import Style
 from shapetween.passengers import Passenger
+from shapetween.riders import Rider
 from shapetween.whole import WholeMotion
 
 __all__ = ["FilledPart"]
@@ -25,7 +25,7 @@ class FilledPart:
     styles : (Style, Style)
     bodies : tuple of Carried
     passengers : tuple of Passenger
-    specks : tuple of LineMorph
+    specks : tuple of Rider
         Pieces too small for meshes, as closed lines.
     motion : WholeMotion or None
         What gradients follow.
@@ -35,7 +35,7 @@ class FilledPart:
     styles: tuple[Style, Style]
     bodies: tuple[Carried, ...]
     passengers: tuple[Passenger, ...] = ()
-    specks: tuple[LineMorph, ...] = ()
+    specks: tuple[Rider, ...] = ()
     motion: WholeMotion | None = None
 
     @property
@@ -62,5 +62,5 @@ class FilledPart:
         return blend(*self.styles, t, self.motion)
 
     @property
-    def _riders(self) -> tuple[Carried | Passenger | LineMorph, ...]:
+    def _riders(self) -> tuple[Carried | Passenger | Rider, ...]:
         return (*self.bodies, *self.passengers, *self.specks)

@@ -16,7 +16,7 @@ from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.geometry.linearmaps import LinearMaps, as_complex
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
-from shapetween.nearby import Parts
+from shapetween.nearby import Parts, turn_between
 from shapetween.riding import Held, Plane
 
 __all__ = ["Leaver", "Rider", "Tip", "riding"]
@@ -39,9 +39,6 @@ OFF, CUTS = 0.008, 3
 #: Spread of points across a line, as a share of that along it, below which they say nothing of what
 #: happens across it; and greatest ratio of stretches that what lies on a rider follows.
 FLAT, MAX_STRETCH = 1e-4, 3.0
-
-#: Share of the distance between two riders, laid on each other, that a turn must save to be made.
-TURN_SAVES = 0.3
 
 _ANGLES = np.arange(STAR) * (2 * np.pi / STAR)
 _STAR = np.stack([np.cos(_ANGLES), np.sin(_ANGLES)], axis=1)
@@ -238,7 +235,8 @@ def riding(parts: Parts, plane: Plane, extents: tuple[float, float]) -> Rider:
         _carriage(source, plane, False, parts.closed, compact),
         _carriage(target, plane, True, parts.closed, compact),
     )
-    angle = _angle(carriages[0].at(np.ones(1))[0], target)
+    brought = carriages[0].at(np.ones(1))[0]
+    angle = turn_between(brought.reshape(-1, 2), target.reshape(-1, 2))
     return Rider(source, target, parts.closed, angle, carriages)
 
 
@@ -270,16 +268,6 @@ def _about(curves: Curves, angles: Floats) -> Curves:
     """Curves (F, P, 4, 2) turned about their means by angles (F,)."""
     centre = curves.mean(axis=(1, 2), keepdims=True)
     return np.asarray((curves - centre) @ np.swapaxes(rotations(angles), 1, 2)[:, None] + centre)
-
-
-def _angle(source: Curves, target: Curves) -> float:
-    """Angle that lays one on the other far better than none does, else 0."""
-    a = source.reshape(-1, 2) - source.reshape(-1, 2).mean(axis=0)
-    b = target.reshape(-1, 2) - target.reshape(-1, 2).mean(axis=0)
-    angle = float(np.arctan2(cross(a, b).sum(), (a * b).sum()))
-    straight = ((a - b) ** 2).sum()
-    saves = straight - ((a @ rotations(np.asarray(angle)).T - b) ** 2).sum()
-    return angle if saves > TURN_SAVES * straight else 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

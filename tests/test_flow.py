@@ -117,7 +117,8 @@ def test_units_do_not_matter(size: float) -> None:
     second = drawing(area(square(20, 5, 60)), area(square(30, 30, 12)), line((50, 30), (70, 60)))
     box = Box(0, 0, 100 * size, 100 * size)
     large = [Drawing(d.transformed(size * np.eye(2, 3)).shapes, box) for d in (first, second)]
-    here, there = prepare(first, second).movement.parts, prepare(*large).movement.parts
+    here = prepare(first, second).movement.parts
+    there = prepare(large[0], large[1]).movement.parts
     assert [part.rings for part in here] == [part.rings for part in there]
     for part, other in zip(here, there, strict=True):
         np.testing.assert_allclose(other.curves(T) / size, part.curves(T), atol=1e-6)

@@ -7,13 +7,24 @@ from hypothesis import strategies as st
 
 from shapetween.arrays import Points
 from shapetween.geometry.bezier import curve_lengths, evaluate
-from shapetween.lines import morph_line
+from shapetween.lines import morph_speck
+from shapetween.nearby import matched_nearby
 from shapetween.outline import Outline
+from shapetween.riders import Rider, riding
+from shapetween.riding import AffinePlane
 from tests.correspond.shapes import disc, polygon, star
 from tests.drawings import line
 from tests.strategies import rotation
 
 T = np.linspace(0, 1, 11)
+
+RESTING = AffinePlane(np.eye(2, 3), np.zeros(2))
+
+
+def morph_line(source: Outline, target: Outline) -> Rider:
+    """A line becoming another where nothing else moves."""
+    extents = [float(np.ptp(line.box)) for line in (source, target)]
+    return riding(matched_nearby(source, target, RESTING), RESTING, (extents[0], extents[1]))
 
 
 def path(*corners: tuple[float, float]) -> Outline:
@@ -44,7 +55,7 @@ def test_open_lines_end_as_they_are(a: int, b: int) -> None:
     source, target = wavy(a), wavy(b)
     found = morph_line(source, target)
     frames = found.curves(T)
-    assert frames.shape == (len(T), found.count, 4, 2)
+    assert frames.shape == (len(T), len(found.source), 4, 2)
     np.testing.assert_array_equal(frames[:, 1:, 0], frames[:, :-1, 3])
     for frame, drawn in ((frames[0], source), (frames[-1], target)):
         assert curve_lengths(frame).sum() == pytest.approx(curve_lengths(drawn.curves).sum())
@@ -52,7 +63,7 @@ def test_open_lines_end_as_they_are(a: int, b: int) -> None:
         assert distance(evaluate(frame, np.linspace(0, 1, 5)).reshape(-1, 2), drawn) < 0.02 * size
         got = {tuple(p) for p in (frame[0, 0], frame[-1, 3])}
         assert got == {tuple(p) for p in (drawn.curves[0, 0], drawn.curves[-1, 3])}
-    assert found.count <= len(source.curves) + len(target.curves)
+    assert len(found.source) <= len(source.curves) + len(target.curves)
     assert not found.closed
 
 
@@ -76,9 +87,9 @@ def test_a_turned_line_turns(degrees: float) -> None:
 def test_corners_that_nearly_match_become_each_other() -> None:
     """No curve is cut beside a corner."""
     found = morph_line(path((0, 0), (10, 0), (20, 5)), path((0, 0), (10, 3), (20, 3)))
-    assert found.count == 2
+    assert len(found.source) == 2
     far = morph_line(path((0, 0), (5, 0), (20, 5)), path((0, 0), (14, 6), (20, 6)))
-    assert far.count == 3
+    assert len(far.source) == 3
 
 
 @settings(max_examples=4)
@@ -119,3 +130,11 @@ def test_closed_lines_that_enclose_nothing_are_lines_too() -> None:
     frames = found.curves(T)
     assert np.isfinite(frames).all()
     assert curve_lengths(frames[0]).sum() == pytest.approx(20)
+
+
+def test_specks_stay_closed_and_end_as_they_are() -> None:
+    source, target = polygon(star(3, 6)), disc()
+    frames = morph_speck(source, target).curves(T)
+    np.testing.assert_array_equal(frames[:, :, 0], np.roll(frames[:, :, 3], 1, axis=1))
+    assert Outline(frames[0]).area == pytest.approx(source.area)
+    assert Outline(frames[-1]).area == pytest.approx(target.area)
