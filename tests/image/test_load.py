@@ -159,9 +159,7 @@ def test_a_missing_picture(tmp_path: Path) -> None:
 def test_the_pixel_budget(tmp_path: Path) -> None:
     path = tmp_path / "a.png"
     Image.new("1", (2000, 1500)).save(path)
-    with pytest.raises(
-        BudgetError, match=r"2000 x 1500 pixels are 3\.0 megapixels; at most 2"
-    ):
+    with pytest.raises(BudgetError, match=r"2000 x 1500 pixels are 3\.0 megapixels; at most 2"):
         read_picture(path, 2)
     assert read_picture(path, 3).width == 2000
 
