@@ -36,8 +36,9 @@ LEFT, LARGE = 0.5, 0.6
 #: What leaving alone costs among the pieces and holes of one shape, which are all of one kind.
 PIECE_LEFT = 1.2
 
-#: What a pair of areas in one paint saves where both drawings have as many of them.
-COMPLETE = 0.8
+#: What a pair of areas in one paint saves where both drawings have as many of them, and how many at
+#: least: one or two may be alike by chance, as palettes are small.
+COMPLETE, SEVERAL = 0.8, 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -213,7 +214,7 @@ def _complete(first: Sequence[Shape], second: Sequence[Shape]) -> Mask:
         [(s.style.fill is None, s.style.fill, s.style.opacity) for s in x] for x in (first, second)
     ]
     counts = [Counter(side) for side in kinds]
-    whole = {k for k in counts[0] if not k[0] and counts[0][k] == counts[1][k]}
+    whole = {k for k in counts[0] if not k[0] and SEVERAL <= counts[0][k] == counts[1][k]}
     return np.array([[one == other and one in whole for other in kinds[1]] for one in kinds[0]])
 
 
