@@ -34,6 +34,9 @@ MOST_TOGETHER = 12
 #: piece with a mesh has. Coasts have hundreds of islands.
 MOST_MESHED, LEAST_MESHED = 16, 1e-3
 
+#: The same share where pieces have very many curves, each of which takes time.
+LEAST_ROUGH = 1e-2
+
 #: Most holes of a piece that become holes of the other. Where there are more, as in an engraving,
 #: the smaller ones close and open: none is known again, and each would take its time.
 MOST_HOLES = 16
@@ -242,7 +245,9 @@ def _by_size(
     """Pairs of pieces that get meshes of their own, and those too many or too small for it."""
     sizes = [max(abs(before[i].area), abs(after[j].area)) for i, j in pairs]
     order = sorted(range(len(pairs)), key=lambda k: -sizes[k])
-    meshed = {k for k in order[:MOST_MESHED] if sizes[k] >= LEAST_MESHED * sizes[order[0]]}
+    curves = sum(len(piece.outer.curves) for piece in (*before, *after))
+    least = LEAST_ROUGH if curves > MANY_CURVES else LEAST_MESHED
+    meshed = {k for k in order[:MOST_MESHED] if sizes[k] >= least * sizes[order[0]]}
     return (
         [pair for k, pair in enumerate(pairs) if k in meshed],
         [pair for k, pair in enumerate(pairs) if k not in meshed],
