@@ -34,7 +34,8 @@ class Correspondence:
     runner_up : float
         Cost of the best matching that is a different one; infinite if there is none.
     confidence : {"sure", "likely", "unsure"}
-        How far ahead of the runner-up it is.
+        How likely it is the one meant: by how alike the outlines are where they are matched, and
+        by how far it is ahead of the runner-up.
     turn : float
         Angle by which the source was turned to compare the two, radians; 0 is upright.
     affine : (2, 3) float64 or None
