@@ -59,6 +59,13 @@ class Drawing:
     title: str = ""
     warnings: tuple[str, ...] = ()
 
+    @property
+    def drawn(self) -> Box:
+        """The least box around all outlines, wherever they are."""
+        boxes = np.array([ring.box for shape in self.shapes for ring in shape.rings])
+        low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+        return Box(*low.tolist(), *(high - low).tolist())
+
     def transformed(self, matrix: Affine) -> "Drawing":
         """Every ring and gradient mapped by an affine map (2, 3); the box stays.
 

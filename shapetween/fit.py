@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from shapetween.arrays import Affine, Points
-from shapetween.drawing import Box, Drawing
+from shapetween.drawing import Drawing
 
 __all__ = ["Fit", "fit_matrix", "inverted", "mapped"]
 
@@ -27,7 +27,7 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
     if fit == "none":
         return np.eye(2, 3)
     if fit == "geometry":
-        inner, outer = _drawn_box(target), _drawn_box(source)
+        inner, outer = target.drawn, source.drawn
     else:
         inner, outer = target.box, source.box
     ratios = [
@@ -50,9 +50,3 @@ def inverted(matrix: Affine) -> Affine:
     """The affine map back."""
     linear = np.linalg.inv(matrix[:, :2])
     return np.column_stack([linear, -linear @ matrix[:, 2]])
-
-
-def _drawn_box(drawing: Drawing) -> Box:
-    boxes = np.array([ring.box for shape in drawing.shapes for ring in shape.rings])
-    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-    return Box(*low.tolist(), *(high - low).tolist())

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from shapetween.arrays import Curves, Floats
-from shapetween.drawing import Box
+from shapetween.drawing import Box, Drawing
 from shapetween.errors import OptionError
 
-__all__ = ["decimals_for", "number", "path_data", "written"]
+__all__ = ["decimals_for", "decimals_of", "number", "path_data", "written"]
 
 #: Share of the view box's larger side that a last decimal may be worth, before it is rounded to a
 #: power of ten. Larger and curves show steps when enlarged; smaller and files grow unseen.
@@ -23,6 +23,10 @@ ROUNDING_SHARE = 4e-5
 
 #: Largest whole number that every double below it reaches; past it decimals would be invented.
 LARGEST_EXACT = 2.0**53
+
+#: Least share of the view box's larger side that counts as the size of a drawing: what is smaller
+#: is a dot to anyone, and would be written with decimals without end.
+LEAST_DRAWN = 1e-3
 
 _SPACE, _MINUS, _POINT, _ZERO = b" -.0"
 
@@ -57,6 +61,19 @@ def decimals_for(box: Box, precision: int | None = None) -> int:
         return precision
     size = max(box.width, box.height)
     return max(0, round(-math.log10(size * ROUNDING_SHARE))) if size > 0 else 0
+
+
+def decimals_of(drawing: Drawing, precision: int | None = None) -> int:
+    """Decimals that a drawing's coordinates are written with.
+
+    As `decimals_for` has them, but of a small drawing on a large page as many as its own size
+    needs.
+    """
+    if precision is not None or not drawing.shapes:
+        return decimals_for(drawing.box, precision)
+    page, drawn = (max(box.width, box.height) for box in (drawing.box, drawing.drawn))
+    size = max(min(page, drawn), LEAST_DRAWN * page)
+    return decimals_for(Box(0, 0, size, size))
 
 
 def number(value: float, decimals: int) -> str:

@@ -6,7 +6,7 @@ program that reads path data can use the frames.
 
 from shapetween.drawing import Drawing
 from shapetween.svg.elements import GradientDefs, add_shape, document, named, text_of
-from shapetween.svg.numbers import decimals_for
+from shapetween.svg.numbers import decimals_of
 
 __all__ = ["frame_svg"]
 
@@ -18,7 +18,8 @@ def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
     ----------
     drawing : Drawing
     precision : int, optional
-        Decimals of coordinates; by default about 1/10000 of the view box's larger side.
+        Decimals of coordinates; by default about 1/10000 of the larger side of the view
+        box, or of what is drawn where that is smaller.
 
     Returns
     -------
@@ -30,7 +31,7 @@ def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
     OptionError
         If coordinates cannot be written with that precision.
     """
-    gradients = GradientDefs(decimals_for(drawing.box, precision))
+    gradients = GradientDefs(decimals_of(drawing, precision))
     root = document(drawing.box, drawing.title)
     root.append(gradients.element)
     for shape, name in zip(

@@ -19,7 +19,7 @@ from shapetween.movement import Movement, Part
 from shapetween.svg.animate import Clock, animate, animate_shown
 from shapetween.svg.animate_style import animate_style
 from shapetween.svg.elements import GradientDefs, add_shape, document, named, text_of
-from shapetween.svg.numbers import decimals_for, path_data
+from shapetween.svg.numbers import decimals_of, path_data
 from shapetween.svg.timeline import Loop, Timeline
 from shapetween.tracks import style_tracks
 
@@ -81,7 +81,8 @@ def smil_svg(
         By default as few as keep every point within a quarter of a pixel where the view box is
         1000 px large; or a number of them, even along the easing.
     precision : int, optional
-        Decimals of coordinates; by default about 1/10000 of the view box's larger side.
+        Decimals of coordinates; by default about 1/10000 of the larger side of the view
+        box, or of what is drawn where that is smaller.
 
     Raises
     ------
@@ -91,7 +92,9 @@ def smil_svg(
     clock = _clock(_timeline(duration, loop, hold, len(legs), closed=closed), easing, keyframes)
     first = legs[0]
     tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
-    gradients = GradientDefs(decimals_for(first.box, precision))
+    ends = [drawing for leg in legs for drawing in leg.at(np.array([0.0, 1.0]))]
+    decimals = max(decimals_of(drawing, precision) for drawing in ends)
+    gradients = GradientDefs(decimals)
 
     root = document(first.box, first.title)
     ET.SubElement(root, "style").text = REDUCED_MOTION
@@ -99,7 +102,7 @@ def smil_svg(
     moving = ET.SubElement(root, "g", {"class": "shapetween-moving"})
     still = ET.SubElement(root, "g", {"class": "shapetween-still", "display": "none"})
     ids = iter(named([part.name for leg in legs for part in leg.parts]))
-    at_rest = iter(first.at(np.zeros(1))[0].shapes)
+    at_rest = iter(ends[0].shapes)
     for k, leg in enumerate(legs):
         own = replace(clock, leg=k)
         group = moving if len(legs) == 1 else _add_leg(moving, own)

@@ -10,9 +10,12 @@ from hypothesis.extra import numpy as arrays
 from svgpathtools import CubicBezier, parse_path
 
 from shapetween.arrays import Curves
-from shapetween.drawing import Box
+from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import OptionError
-from shapetween.svg.numbers import decimals_for, number, path_data, written
+from shapetween.geometry.bezier import line_curves
+from shapetween.outline import Outline
+from shapetween.paint import Style
+from shapetween.svg.numbers import decimals_for, decimals_of, number, path_data, written
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -108,6 +111,15 @@ def test_default_decimals_suit_the_size(size: float) -> None:
     step = 10.0**-decimals
     assert step <= 1.3e-4 * size or decimals == 0
     assert step >= 1.2e-5 * size or decimals == 0
+
+
+@pytest.mark.parametrize(("share", "more"), [(1.0, 0), (0.01, 2), (1e-9, 3)])
+def test_a_small_drawing_on_a_large_page_has_decimals_of_its_own(share: float, more: int) -> None:
+    corners = share * np.array([[0.0, 0.0], [100.0, 0.0], [100.0, 100.0]])
+    ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+    drawing = Drawing((Shape((ring,), Style()),), Box(0, 0, 100, 100))
+    assert decimals_of(drawing) == decimals_for(drawing.box) + more
+    assert decimals_of(drawing, 1) == 1
 
 
 def test_precision_overrides_the_size() -> None:
