@@ -42,7 +42,7 @@ FRAME_RATIO = 0.7
 #: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
 #: and what lies between is not listened to.
-VERTEX_REWARD = 2.4 / STATIONS
+VERTEX_REWARD = 2.8 / STATIONS
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
