@@ -26,6 +26,12 @@ Edge = tuple[int, int]
 ROUNDING = 1e-13
 
 
+#: Steps of the grid, across the points' extent, that points are put on to be triangulated: four
+#: points on a circle are then triangulated the same way in any unit, whatever rounding does to
+#: them. More and rounding shows again; fewer and points that lie close become one.
+GRID = 2.0**40
+
+
 def constrained_delaunay(points: Points, edges: Index) -> Index:
     """Triangulate points so that given edges are edges of the triangulation.
 
@@ -62,6 +68,9 @@ def _delaunay(points: Points) -> Index:
     """Delaunay triangles of points in the plane, (T, 3); of points in line, some without area."""
     import shapely
 
+    low = points.min(axis=0)
+    extent = float((points.max(axis=0) - low).max())
+    points = np.round((points - low) * (GRID / (extent or 1.0)))
     try:
         found = shapely.get_coordinates(shapely.delaunay_triangles(shapely.multipoints(points)))
     except shapely.errors.GEOSException:  # it loses its way among some points nearly on circles
