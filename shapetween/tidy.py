@@ -6,7 +6,7 @@ How a path was cut into commands then makes no difference to how it moves.
 import numpy as np
 
 from shapetween.arrays import Curves, Index
-from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.bezier import line_curves, sub_curves
 from shapetween.geometry.polygon import cross
 from shapetween.outline import Outline
 
@@ -21,9 +21,13 @@ TINY = 2e-5
 #: stands for.
 SAME_CURVE = 1e-6
 
+#: Length, as a share of the outline's extent, up to which a line that runs back along the one
+#: before it is taken for rounding. It encloses nothing, and makes the outline touch itself.
+STEP_BACK = 2e-3
+
 
 def tidy(outline: Outline) -> Outline:
-    """The same closed outline without curves of no extent, and with cut curves joined again.
+    """The same closed outline without curves of no extent and steps back, cut curves joined again.
 
     Parameters
     ----------
@@ -34,7 +38,8 @@ def tidy(outline: Outline) -> Outline:
     size = float(np.max(high - low))
     # Joined first: a curve that goes takes with it what its neighbours were cut from.
     curves = _without_cuts(outline.curves, SAME_CURVE * size)
-    kept = _without_points(curves, TINY * size)
+    kept = _without_steps_back(curves, SAME_CURVE * size, STEP_BACK * size)
+    kept = _without_points(kept, TINY * size)
     return Outline(curves if kept is curves else _without_cuts(kept, SAME_CURVE * size))
 
 
@@ -70,6 +75,28 @@ def _without_points(curves: Curves, tiny: float) -> Curves:
     # All of a curve follows its start, so that a line stays one.
     curves = curves + np.linspace(1.0, 0.0, 4)[:, None] * shift[:, None]
     curves[:, 0] = np.roll(curves[:, 3], 1, axis=0)
+    return curves
+
+
+def _without_steps_back(curves: Curves, tolerance: float, most: float) -> Curves:
+    """Two lines of which the second runs back along the first, one of them short, are one."""
+    while len(curves) > 3:
+        chord = curves[:, 3] - curves[:, 0]
+        length = np.linalg.norm(chord, axis=1)
+        off = np.abs(cross(curves[:, 1:3] - curves[:, :1], chord[:, None])).max(axis=1)
+        line = off <= tolerance * length
+        after = np.roll(chord, -1, axis=0)
+        longer = np.maximum(length, np.roll(length, -1))
+        back = line & np.roll(line, -1) & ((chord * after).sum(axis=1) < 0)
+        back &= np.abs(cross(chord, after)) <= tolerance * longer
+        back &= np.minimum(length, np.roll(length, -1)) <= most
+        taken = _apart(np.flatnonzero(back).tolist(), len(curves))
+        if not taken:
+            break
+        following = (np.array(taken) + 1) % len(curves)
+        curves = curves.copy()
+        curves[taken] = line_curves(curves[taken, 0], curves[following, 3])
+        curves = np.delete(curves, following, axis=0)
     return curves
 
 

@@ -132,6 +132,9 @@ def _settings(
             setting,
             led,
         )
+        # Where the plane stays tangled more nodes cost seconds and tangle it again.
+        if mesh.turned.any():
+            return
 
 
 def _with_detail(nodes: Nodes, settled: SettledMotion, method: str, led: float) -> Carried:

@@ -92,3 +92,20 @@ def test_as_few_as_one_curve_can_be_tidied(count: int) -> None:
     drop = Outline(np.array([[[0.0, 0.0], [2.0, -2.0], [2.0, 2.0], [0.0, 0.0]]]))
     curves = drop.curves if count == 1 else split(drop.curves, 0, 0.5)
     assert tidy(Outline(curves)).area == pytest.approx(drop.area)
+
+
+def test_a_step_back_goes() -> None:
+    """A closing line that runs past its start by a rounded digit encloses nothing."""
+    corners = np.array(
+        [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [5.0, 10.0], [5.01, 10.0], [0.0, 10.0]]
+    )
+    ring = tidy(Outline(line_curves(corners, np.roll(corners, -1, axis=0))))
+    np.testing.assert_array_equal(ring.curves[:, 0], corners[[0, 1, 2, 5]])
+
+
+def test_a_spike_stays() -> None:
+    corners = np.array(
+        [[0.0, 0.0], [10.0, 0.0], [14.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]
+    )
+    ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+    assert tidy(ring).box.max() == 14.0
