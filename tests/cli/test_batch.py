@@ -12,7 +12,7 @@ import pytest
 from tests.cli.commands import SQUARE, TRIANGLE, Command, listing, svg
 
 #: Pairs of a batch that is to be interrupted.
-COUNT = 100
+COUNT = 400
 OUT = {"out/a-to-b.svg", "out/summary.csv", "out/summary.json"}
 
 
