@@ -5,18 +5,18 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from shapetween.aboard import ShownPart
 from shapetween.arrays import Affine, Points
 from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import OptionError
-from shapetween.fill import FillSettings
 from shapetween.fit import Fit, fit_matrix, mapped
 from shapetween.mesh import MeshPair
 from shapetween.movement import Movement
 from shapetween.observe import Observer, unobserved
-from shapetween.parts import FilledPart
-from shapetween.paths import plain_shapes
-from shapetween.together import move_together
+from shapetween.shapes.aboard import ShownPart
+from shapetween.shapes.fill import FillSettings
+from shapetween.shapes.parts import FilledPart
+from shapetween.shapes.paths import plain_shapes
+from shapetween.shapes.together import move_together
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 

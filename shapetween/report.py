@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.body import Carried, RingMatch
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
 from shapetween.pipeline import Prepared
+from shapetween.rings.body import Carried, RingMatch
 from shapetween.version import installed_version
 
 __all__ = ["build", "build_chain", "mesh_figures"]

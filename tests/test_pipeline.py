@@ -8,7 +8,6 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.aboard import LonePart, RidingPart
 from shapetween.arrays import Points
 from shapetween.drawing import Drawing, Shape
 from shapetween.errors import OptionError, OutlineError
@@ -16,7 +15,8 @@ from shapetween.geometry.bezier import evaluate, flatten
 from shapetween.outline import Outline
 from shapetween.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
-from shapetween.riders import Leaver
+from shapetween.riding.riders import Leaver
+from shapetween.shapes.aboard import LonePart, RidingPart
 from tests.drawings import area, drawing, line, ring, square
 from tests.meshing.pairs import untangled
 from tests.movements import circle

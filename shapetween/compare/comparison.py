@@ -9,12 +9,12 @@ from typing import Any
 
 from shapetween import report
 from shapetween.api import Morph, morph
-from shapetween.body import joined_meshes
 from shapetween.compare.figures import COLUMNS, TIMES, Figures, measure
 from shapetween.compare.variants import Variant, bare_variants, first_variant
 from shapetween.drawing import Drawing
 from shapetween.errors import ShapetweenError
 from shapetween.observe import Observer, unobserved
+from shapetween.rings.body import joined_meshes
 
 __all__ = ["Comparison", "compare"]
 

@@ -6,12 +6,12 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Points
-from shapetween.body import Carried, VertexPath, joined_meshes
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import polygon_area
 from shapetween.interpolate import INTERIORS, tween
 from shapetween.interpolate.inside import Inside
 from shapetween.plane.mesh import PlaneMesh
+from shapetween.rings.body import Carried, VertexPath, joined_meshes
 
 __all__ = ["Skeleton"]
 

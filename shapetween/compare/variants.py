@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from shapetween.arrays import Floats, Points
-from shapetween.body import Carried, RingMatch, VertexPath
 from shapetween.compare.skeleton import Skeleton
 from shapetween.errors import OptionError, ShapetweenError
 from shapetween.interpolate import METHODS
 from shapetween.movement import Movement, Part
-from shapetween.parts import FilledPart
 from shapetween.pipeline import Folds, Prepared
-from shapetween.unfold import bare
+from shapetween.rings.body import Carried, RingMatch, VertexPath
+from shapetween.rings.unfold import bare
+from shapetween.shapes.parts import FilledPart
 
 __all__ = ["ABOUT", "Variant", "bare_variants", "first_variant"]
 

@@ -4,9 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.aboard import LonePart, RidingPart, ShownPart
 from shapetween.arrays import Affine, Floats, Index, Mask, Points
-from shapetween.body import Carried, VertexPath
 from shapetween.drawing import Box
 from shapetween.fit import inverted, mapped
 from shapetween.geometry.polygon import polygon_area
@@ -16,9 +14,11 @@ from shapetween.image.picture import Picture
 from shapetween.image.resvg import drawn, drawn_apart
 from shapetween.movement import Part
 from shapetween.paint import Style
-from shapetween.parts import FilledPart
 from shapetween.plane.keyed import KeyedMotion
-from shapetween.riding import Plane
+from shapetween.riding.planes import Plane
+from shapetween.rings.body import Carried, VertexPath
+from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart
+from shapetween.shapes.parts import FilledPart
 from shapetween.svg.textures import plain_texture, texture_svg
 
 __all__ = ["Fill", "fill_of"]

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike
 
 from shapetween import files
 from shapetween.arrays import Affine, Index, Points
-from shapetween.body import Carried, joined_meshes
 from shapetween.drawing import Drawing
 from shapetween.errors import MeshError, OptionError, OutlineError, ShapetweenError
 from shapetween.fit import inverted, mapped
@@ -22,6 +21,7 @@ from shapetween.mesh import MeshPair
 from shapetween.observe import Observer, unobserved
 from shapetween.paint import Colour, Style
 from shapetween.plane.keyed import KeyedMotion
+from shapetween.rings.body import Carried, joined_meshes
 from shapetween.srgb import srgb_to_linear
 
 __all__ = [
@@ -227,7 +227,7 @@ def _piece(body: Carried, method: str, fits: Sequence[Affine], fit: Affine) -> P
     The body itself has as few vertices as its curves need; a picture has no curves to follow the
     outline by, so its vertices stand denser.
     """
-    from shapetween.unfold import unfolded
+    from shapetween.rings.unfold import unfolded
 
     dense = unfolded(body.nodes.rings, method, (NEAR_OUTLINE,))
     if not isinstance(dense.path, KeyedMotion):

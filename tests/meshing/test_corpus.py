@@ -9,10 +9,10 @@ import shapely
 
 from shapetween.arclength import ArcLength
 from shapetween.correspond import correspond
-from shapetween.matched import MatchedOutlines
 from shapetween.meshing import mesh_matched
 from shapetween.meshing.quality import face_figures
 from shapetween.outline import Outline
+from shapetween.rings.matched import MatchedOutlines
 from shapetween.svg.read import read_svg
 from tests.meshing.pairs import Pair, assert_sound
 
