@@ -23,6 +23,7 @@ from shapetween.rings.unfold import MOST_NODES, TOLERANCES, bare, unfolded
 from shapetween.shapes.pairing import Thing, pair_things
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.regions import Region, regions_of
+from shapetween.shapes.splitting import split_alike
 from shapetween.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["FillSettings", "morph_fill"]
@@ -148,11 +149,16 @@ def morph_fill(
         after, said_b = regions_of(second, _called(second, names[1]))
         boxes = np.array([region.outer.box for region in (*before, *after)])
         scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
+        divided = None
+        if alone and first.style.stroke is None and second.style.stroke is None:
+            divided = _divided(before, after)
+        if divided is not None:
+            before, after = divided
+            settled = [(k, k) for k in range(len(before))]
+        else:
+            settled = [(0, 0)] if _is_main(before) and _is_main(after) else []
         pairing = pair_things(
-            [_thing(r) for r in before],
-            [_thing(r) for r in after],
-            scale,
-            fixed=[(0, 0)] if _is_main(before) and _is_main(after) else [],
+            [_thing(r) for r in before], [_thing(r) for r in after], scale, fixed=settled
         )
     warnings = [*said_a, *said_b]
     bodies: list[list[RingMatch]] = []
@@ -180,7 +186,7 @@ def morph_fill(
         strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
-        carried, holder = _moved(bodies, settings)
+        carried, holder = _moved(bodies, settings, touching=divided is not None)
         passengers = [
             Passenger.of(region.outer, (), arrives, carried[holder[body]], is_hole=True)
             for region, arrives, body in strangers
@@ -203,6 +209,19 @@ def morph_fill(
     motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
     part = FilledPart(name, styles, tuple(carried), tuple(passengers), specks, motion)
     return part, tuple(warnings)
+
+
+def _divided(
+    before: tuple[Region, ...], after: tuple[Region, ...]
+) -> tuple[tuple[Region, ...], tuple[Region, ...]] | None:
+    """The pieces of both where one of a side divides into those of the other."""
+    if len(before) == 1:
+        parts = split_alike(before[0], after)
+        return None if parts is None else (parts, after)
+    if len(after) == 1:
+        parts = split_alike(after[0], before)
+        return None if parts is None else (before, parts)
+    return None
 
 
 def _of_crossings(bodies: list[Carried], called: str) -> list[str]:
@@ -298,17 +317,18 @@ def _matched_holes(
 
 
 def _moved(
-    bodies: list[list[RingMatch]], settings: FillSettings
+    bodies: list[list[RingMatch]], settings: FillSettings, *, touching: bool
 ) -> tuple[list[Carried], list[int]]:
     """Movements of all bodies, and which of them each body is in.
 
-    They move in one plane, which keeps them apart; where that fails, each moves in its own.
+    They move in one plane, which keeps them apart; where that fails, or they touch where one
+    divides, each moves in its own.
     """
     each = list(range(len(bodies)))
     if settings.folds == "allow":
         return [bare(rings, settings.method) for rings in bodies], each
     together = None
-    if 1 < len(bodies) <= MOST_TOGETHER:
+    if 1 < len(bodies) <= MOST_TOGETHER and not touching:
         together = unfolded([ring for rings in bodies for ring in rings], settings.method)
         if not together.crossing or together.detail:
             return [together], [0] * len(bodies)
