@@ -48,7 +48,7 @@ MAIN = 0.5
 #: Corners of the least coarse shape of a piece.
 LEAST_CORNERS = 12
 
-#: Curves of both outlines together past which one setting is all there is time for.
+#: Curves of all pieces of both shapes past which one setting is all there is time for.
 MANY_CURVES = 1500
 
 #: Next best matchings tried where the best one crosses. More cost seconds and are rarely right.
@@ -332,19 +332,22 @@ def _moved(
         together = unfolded([ring for rings in bodies for ring in rings], settings.method)
         if not together.crossing or together.detail:
             return [together], [0] * len(bodies)
-    alone = [_alone(rings, settings) for rings in bodies]
+    curves = sum(len(r.source.curves) + len(r.target.curves) for rings in bodies for r in rings)
+    alone = [_alone(rings, settings, rough=curves > MANY_CURVES) for rings in bodies]
     if together is not None and together.crossing <= sum(c.crossing for c in alone):
         return [together], [0] * len(bodies)
     return alone, each
 
 
-def _alone(rings: list[RingMatch], settings: FillSettings) -> Carried:
-    """One body in a plane of its own; where it crosses, by the next best matching."""
+def _alone(rings: list[RingMatch], settings: FillSettings, *, rough: bool) -> Carried:
+    """One body in a plane of its own; where it crosses, by the next best matching.
+
+    Of a rough shape's bodies none is worth that much time.
+    """
     outer, holes = rings[0], rings[1:]
-    many = len(outer.source.curves) + len(outer.target.curves) > MANY_CURVES
-    best = unfolded(rings, settings.method, TOLERANCES[:1] if many else TOLERANCES)
+    best = unfolded(rings, settings.method, TOLERANCES[:1] if rough else TOLERANCES)
     pinned = outer.found == "given" or len(settings.used_pins) > 0
-    if many or outer.coarse or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
+    if rough or outer.coarse or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
         return best
     for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
         found = unfolded([other, *holes], settings.method, TOLERANCES[:2])
