@@ -12,7 +12,7 @@ import pytest
 from tests.cli.commands import SQUARE, TRIANGLE, Command, listing, svg
 
 #: Pairs of a batch that is to be interrupted.
-COUNT = 400
+COUNT = 150
 OUT = {"out/a-to-b.svg", "out/summary.csv", "out/summary.json"}
 
 
@@ -148,5 +148,7 @@ def started(line: str) -> "subprocess.Popen[str]":
         env={**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2])},
         stderr=subprocess.PIPE,
         text=True,
+        # A test run in the background has Ctrl-C ignored, and its children with it.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         start_new_session=True,
     )
