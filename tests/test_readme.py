@@ -76,10 +76,10 @@ def test_the_tests_are_one_command_and_ci_uses_it() -> None:
     create, install, job = SETUPS[1].split(" && ")
     assert create == "python3 -m venv .venv"
     assert install == ".venv/bin/pip install -q -e '.[test]'"
-    assert job == ".venv/bin/python -m pytest"
+    assert job == ".venv/bin/python -m pytest -n auto"
     # The script takes the line that ends so out of the README.
-    assert SETUPS[1].endswith("python -m pytest")
-    assert "grep -m1 'python -m pytest$' README.md" in (ROOT / ".ci" / "run").read_text("utf-8")
+    assert SETUPS[1].endswith("python -m pytest -n auto")
+    assert "grep -m1 'python -m pytest -n auto$' README.md" in (ROOT / ".ci" / "run").read_text("utf-8")
     assert re.search(r"^test = \[", (ROOT / "pyproject.toml").read_text("utf-8"), re.MULTILINE)
 
 
