@@ -79,7 +79,9 @@ def test_the_tests_are_one_command_and_ci_uses_it() -> None:
     assert job == ".venv/bin/python -m pytest -n auto"
     # The script takes the line that ends so out of the README.
     assert SETUPS[1].endswith("python -m pytest -n auto")
-    assert "grep -m1 'python -m pytest -n auto$' README.md" in (ROOT / ".ci" / "run").read_text("utf-8")
+    assert "grep -m1 'python -m pytest -n auto$' README.md" in (ROOT / ".ci" / "run").read_text(
+        "utf-8"
+    )
     assert re.search(r"^test = \[", (ROOT / "pyproject.toml").read_text("utf-8"), re.MULTILINE)
 
 
