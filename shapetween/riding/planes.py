@@ -60,7 +60,8 @@ class Finder:
         sound = (np.abs(cross(first, second)) > 0) & ~mesh.turned
         self._triangles = mesh.triangles[sound]
         self._origins = corners[sound, 0]
-        self._inverses = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
+        inverses = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
+        self._inverses = np.ascontiguousarray(np.moveaxis(inverses, 0, -1))
         self._near = KDTree(corners[sound].mean(axis=1))
 
     def find(self, points: Points) -> tuple[Index, Floats]:
@@ -80,12 +81,14 @@ class Finder:
 
     def _best(self, points: Points, among: Index) -> tuple[Index, Floats]:
         """Of some triangles each, (K, T), those whose least weight is greatest."""
-        offsets = points[:, None] - self._origins[among]
-        local = (self._inverses[among] @ offsets[..., None])[..., 0]
-        weights = np.concatenate([1 - local.sum(-1, keepdims=True), local], axis=-1)
-        best = weights.min(axis=-1).argmax(axis=1)
+        # Number by number: products of 2 x 2 matrices in a stack take five times as long.
+        x, y = np.moveaxis(points[:, None] - self._origins[among], -1, 0)
+        (a, b), (c, d) = self._inverses
+        first, second = a[among] * x + b[among] * y, c[among] * x + d[among] * y
+        best = np.minimum(np.minimum(first, second), 1 - first - second).argmax(axis=1)
         row = np.arange(len(points))
-        return among[row, best], weights[row, best]
+        u, v = first[row, best], second[row, best]
+        return among[row, best], np.stack([1 - u - v, u, v], axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -38,7 +38,7 @@ PAINT_STRIDE = 4
 
 #: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
 #: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
-MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 400_000, 9, 1.5
+MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
 
 #: Curves of all samples that are held at once, and the strides of samples that may be left out for
 #: it: parts of the steps on which keyframes may lie.
