@@ -15,7 +15,7 @@ import numpy as np
 from shapetween.arrays import Floats, Points
 from shapetween.geometry.bezier import line_curves
 from shapetween.outline import Outline
-from shapetween.overlay.chords import chords_of
+from shapetween.overlay.chords import chords_of, joined
 from shapetween.overlay.trace import traced
 from shapetween.shapes.regions import Region
 
@@ -66,7 +66,7 @@ def split_alike(whole: Region, parts: Sequence[Region]) -> tuple[Region, ...] | 
     for cell in cells:
         edge = np.array(cell.exterior.coords)[:-1]
         border = Outline(line_curves(edge, np.roll(edge, -1, axis=0)))
-        found = traced(area.intersection(cell), chords_of([whole.outer, *whole.holes, border]))
+        found = traced(area.intersection(cell), joined([chords, chords_of([border])]))
         if len(found) != 1:
             return None
         outer, *holes = found[0]
