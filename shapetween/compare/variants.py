@@ -116,9 +116,7 @@ def _remembering(part: FilledPart) -> FilledPart:
     bodies = [replace(body, path=_Remembered(body.path)) for body in part.bodies]
     known = {id(old): new for old, new in zip(part.bodies, bodies, strict=True)}
     passengers = tuple(
-        rider
-        if rider.ride is None
-        else replace(rider, ride=replace(rider.ride, on=known[id(rider.ride.on)]))
+        rider if rider.on is None else replace(rider, on=known[id(rider.on)])
         for rider in part.passengers
     )
     return replace(part, bodies=tuple(bodies), passengers=passengers)
@@ -148,7 +146,7 @@ def _bare_variant(prepared: Prepared, method: str) -> Variant:
             bodies = tuple(bare(rings, method) for rings in _grouped(part))
             skeletons += [Skeleton.of(body, method) for body in bodies]
             # Without a plane around the shape there is nothing for passengers to ride on.
-            passengers = tuple(replace(rider, ride=None) for rider in part.passengers)
+            passengers = tuple(replace(rider, on=None) for rider in part.passengers)
             parts.append(replace(part, bodies=bodies, passengers=passengers))
     except ShapetweenError as error:
         return replace(variant, failure=str(error))

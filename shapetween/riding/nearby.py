@@ -16,7 +16,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.outline import Outline
 from shapetween.riding.planes import Plane
-from shapetween.rings.matched import MatchedOutlines
+from shapetween.rings.matched import MatchedOutlines, cut_curves
 
 __all__ = ["Parts", "matched_nearby", "turn_between"]
 
@@ -94,11 +94,11 @@ def _closed(places: tuple[ArcLength, ArcLength], plane: Plane, fine: bool) -> Pa
     even = np.arange(STATIONS) / STATIONS
     first = plane.hold(places[0].point(even), False).at(np.ones(1))[0]
     best: tuple[float, int, tuple[ArcLength, ArcLength], Floats] | None = None
-    for target in (places[1].outline, places[1].outline.reversed()):
+    rolled = (np.arange(STATIONS)[:, None] + np.arange(STATIONS)) % STATIONS
+    for target in _ways(places, fine):
         there = places[1] if target is places[1].outline else ArcLength(target)
         costs = _costs(first, there.point(even), closed=True)
-        rolled = np.arange(STATIONS)
-        shifts = np.array([costs[rolled, (rolled + k) % STATIONS].sum() for k in rolled])
+        shifts = costs[np.arange(STATIONS), rolled].sum(axis=1)
         k = int(shifts.argmin())
         if best is None or shifts[k] < best[0] * (1 - SAME):
             best = float(shifts[k]), k, (places[0], there), costs
@@ -116,6 +116,15 @@ def _closed(places: tuple[ArcLength, ArcLength], plane: Plane, fine: bool) -> Pa
         v = u + shift / STATIONS
     pieces = MatchedOutlines(pair[0], pair[1], u, v).cut(np.zeros(0))
     return Parts(pieces.source, pieces.target, True)
+
+
+def _ways(places: tuple[ArcLength, ArcLength], fine: bool) -> list[Outline]:
+    """The second of two closed outlines in the directions it may run; if it matters little, one."""
+    source, target = (place.outline for place in places)
+    ways = [target, target.reversed()]
+    if fine:
+        return ways
+    return ways[:1] if (source.area > 0) == (target.area > 0) else ways[1:]
 
 
 def _open(places: tuple[ArcLength, ArcLength], plane: Plane, fine: bool) -> Parts:
@@ -234,11 +243,5 @@ def _cut_alike(places: tuple[ArcLength, ArcLength], u: Floats, v: Floats) -> Par
 
 def _parts(place: ArcLength, cuts: Floats) -> Curves:
     """An open line's curves cut at fractions, every joint among them."""
-    bounds = np.concatenate([[0.0], cuts])
-    index, start = place.locate(bounds)
-    following = np.append(start[1:], 1.0)
-    same = np.append(index[1:] == index[:-1], False)
-    end = np.where(same, following, 1.0)
-    parts = sub_curves(place.outline.curves[index], start, end)
-    parts[1:, 0] = parts[:-1, 3]
-    return parts
+    places = np.array(place.locate(np.append(0.0, cuts)), dtype=np.float64)
+    return cut_curves(place.outline.curves, places, closed=False)

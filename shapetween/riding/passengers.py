@@ -1,20 +1,41 @@
 """Rings without a partner: they open from a point, or close to one, riding on the plane."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import flatten
 from shapetween.outline import Outline
 from shapetween.plane.mesh import PlaneMesh
-from shapetween.riding.planes import BEYOND, Finder
+from shapetween.riding.planes import Finders, Spots
 from shapetween.rings.body import Carried
 
-__all__ = ["Passenger"]
+__all__ = ["Deck", "Passenger"]
 
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Deck:
+    """A body whose moving plane can be ridden on.
+
+    Attributes
+    ----------
+    body : Carried
+    finders : Finders
+        Made once for all that ride on it.
+    """
+
+    body: Carried
+    finders: Finders
+
+    @classmethod
+    def of(cls, body: Carried) -> "Deck | None":
+        """The plane around a body; None if it moves without one."""
+        mesh = getattr(body.path, "mesh", None)
+        return cls(body, Finders(mesh)) if isinstance(mesh, PlaneMesh) else None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,15 +50,20 @@ class Passenger:
         Number of curves in each ring.
     arrives : bool
         Whether they are whole at the end; else at the start.
-    ride : _Ride or None
-        The moving plane that they ride on; None to stay in place.
+    centre : (2,) float64
+        The point.
+    on : Carried or None
+        The body whose moving plane they ride on; None to stay in place.
+    spots : Spots or None
+        Where their control points and the centre lie in that plane.
     """
 
     curves_at_home: Curves
     counts: tuple[int, ...]
     arrives: bool
     centre: Points
-    ride: "_Ride | None"
+    on: Carried | None = None
+    spots: Spots | None = None
 
     @classmethod
     def of(
@@ -45,7 +71,7 @@ class Passenger:
         outer: Outline,
         holes: tuple[Outline, ...],
         arrives: bool,
-        on: Carried | None,
+        on: Deck | None,
         *,
         is_hole: bool = False,
     ) -> "Passenger":
@@ -57,8 +83,8 @@ class Passenger:
             Clockwise as drawn, as are the holes.
         holes : tuple of Outline
         arrives : bool
-        on : Carried or None
-            The body whose plane they ride on.
+        on : Deck or None
+            What they ride on, if they lie on it.
         is_hole : bool
             Whether the ring is itself a hole, and is drawn the other way round.
         """
@@ -76,16 +102,11 @@ class Passenger:
         if not polygon.is_empty:
             circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
             centre = np.array(circle.coords[0])
-        mesh = getattr(on.path, "mesh", None) if on is not None else None
-        ride = None
-        if on is not None and isinstance(mesh, PlaneMesh):
-            ride = _Ride.of(on, mesh, np.concatenate([curves.reshape(-1, 2), [centre]]), arrives)
-        return cls(curves, tuple(len(r.curves) for r in rings), arrives, centre, ride)
-
-    @property
-    def on(self) -> Carried | None:
-        """The body it rides on."""
-        return None if self.ride is None else self.ride.on
+        still = cls(curves, tuple(len(r.curves) for r in rings), arrives, centre)
+        if on is None:
+            return still
+        spots = on.finders.spots(np.concatenate([curves.reshape(-1, 2), [centre]]), arrives)
+        return still if spots.beyond.any() else replace(still, on=on.body, spots=spots)
 
     def curves(self, t: Floats, vertices: Points | None = None) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2).
@@ -97,31 +118,13 @@ class Passenger:
             Where the plane that it rides on is at these times, if that is known already.
         """
         points = np.concatenate([self.curves_at_home.reshape(-1, 2), self.centre[None]])
-        if self.ride is None:
+        if self.on is None or self.spots is None:
             moved = np.repeat(points[None], len(t), axis=0)
         else:
-            moved = self.ride.at(self.ride.on.path.vertices(t) if vertices is None else vertices)
+            moved = self.spots.at(self.on.path.vertices(t) if vertices is None else vertices)
         centre = moved[:, -1:]
         size = t if self.arrives else 1 - t
         shrunk = centre + size[:, None, None] * (moved[:, :-1] - centre)
         result = shrunk.reshape(len(t), *self.curves_at_home.shape)
         result[size == 1] = self.curves_at_home
         return np.asarray(result)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Ride:
-    """Points held by the triangles of a moving plane."""
-
-    on: Carried
-    corners: Index
-    weights: Floats
-
-    @classmethod
-    def of(cls, on: Carried, mesh: PlaneMesh, points: Points, arrives: bool) -> "_Ride | None":
-        """Find each point's triangle; None if one lies outside the plane mesh."""
-        corners, weights = Finder(mesh, arrives).find(points)
-        return None if weights.min() < -BEYOND else cls(on, corners, weights)
-
-    def at(self, vertices: Points) -> Points:
-        return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))

@@ -8,14 +8,14 @@ from typing import Protocol
 
 import numpy as np
 
-from shapetween.arrays import Affine, Floats, Index, Points
+from shapetween.arrays import Affine, Floats, Index, Mask, Points
 from shapetween.fit import inverted, mapped
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.plane.mesh import PlaneMesh
 from shapetween.rings.body import VertexPath
 
-__all__ = ["BEYOND", "AffinePlane", "Finder", "Held", "MeshPlane", "Plane"]
+__all__ = ["AffinePlane", "Finder", "Finders", "Held", "MeshPlane", "Plane", "Spots"]
 
 #: How far outside its triangle, in barycentric weight, a point may lie and still ride on it. Its
 #: handles may stick out a little; what lies beyond the mesh would be flung about.
@@ -92,6 +92,44 @@ class Finder:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Spots:
+    """Points as they lie in the triangles of a plane mesh.
+
+    Attributes
+    ----------
+    corners : (K, 3) intp
+        Vertices of each point's triangle.
+    weights : (K, 3) float64
+    """
+
+    corners: Index
+    weights: Floats
+
+    @property
+    def beyond(self) -> Mask:
+        """Which points lie too far outside the mesh to ride on it, (K,)."""
+        return np.asarray(self.weights.min(axis=1) < -BEYOND)
+
+    def at(self, vertices: Points) -> Points:
+        """Where they are when the mesh's vertices are at (F, V, 2), (F, K, 2)."""
+        return np.asarray(np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners]))
+
+
+class Finders:
+    """A plane mesh at both ends, ready to find what holds points there."""
+
+    def __init__(self, mesh: PlaneMesh) -> None:
+        self._mesh = mesh
+        self._known: dict[bool, Finder] = {}
+
+    def spots(self, points: Points, arrives: bool) -> Spots:
+        """Where points (K, 2) lie in the mesh at its end, or else at its start."""
+        if arrives not in self._known:
+            self._known[arrives] = Finder(self._mesh, arrives)
+        return Spots(*self._known[arrives].find(points))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class AffinePlane:
     """A plane that turns, stretches and shifts evenly.
 
@@ -142,19 +180,21 @@ class MeshPlane:
     mesh: PlaneMesh
     path: VertexPath
     _known: tuple[bytes, Points] | None = None
-    _finders: dict[bool, Finder] = field(default_factory=dict)
+    _finders: Finders = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Make ready to find what holds points."""
+        self._finders = Finders(self.mesh)
 
     def hold(self, points: Points, arrives: bool) -> "Held":
         """Take points (K, 2) aboard; those beyond the mesh go with it as a whole."""
-        if arrives not in self._finders:
-            self._finders[arrives] = Finder(self.mesh, arrives)
-        corners, weights = self._finders[arrives].find(points)
-        loose = np.flatnonzero(weights.min(axis=1) < -BEYOND)
+        spots = self._finders.spots(points, arrives)
+        loose = np.flatnonzero(spots.beyond)
         start, end = self.mesh.poses
         local = (end if arrives else start).normalise(points[loose])
         if arrives:
             local = local @ np.linalg.inv(self.mesh.body.matrix).T
-        return _MeshHeld(self, corners, weights, loose, local)
+        return _MeshHeld(self, spots, loose, local)
 
     def vertices(self, t: Floats) -> Points:
         """All vertices at the times (F,), (F, V, 2)."""
@@ -167,14 +207,12 @@ class MeshPlane:
 @dataclass(frozen=True, slots=True, eq=False)
 class _MeshHeld:
     plane: MeshPlane
-    corners: Index
-    weights: Floats
+    spots: Spots
     loose: Index
     local: Points
 
     def at(self, t: Floats) -> Points:
-        vertices = self.plane.vertices(t)
-        result = np.einsum("pk,fpkd->fpd", self.weights, vertices[:, self.corners])
+        result = self.spots.at(self.plane.vertices(t))
         if len(self.loose):
             mesh = self.plane.mesh
             start, end = mesh.poses
@@ -182,4 +220,4 @@ class _MeshHeld:
             centre = (1 - t)[:, None] * start.centre + t[:, None] * end.centre
             whole = self.local @ np.swapaxes(mesh.body.at(t).matrices, 1, 2)
             result[:, self.loose] = size[:, None, None] * whole + centre[:, None]
-        return np.asarray(result)
+        return result

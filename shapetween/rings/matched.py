@@ -310,22 +310,28 @@ def _places(places: ArcLength, fractions: Floats) -> Floats:
     return np.stack([curve, np.where(late | (t < END_PARAMETER), 0.0, t)])
 
 
-def cut_curves(curves: Curves, places: Floats) -> Curves:
-    """Parts of a closed run of curves from each place to the next one.
+def cut_curves(curves: Curves, places: Floats, *, closed: bool = True) -> Curves:
+    """Parts of a run of curves from each place to the next one, from the last on to its end.
 
     Parameters
     ----------
     places : (2, N) float64
-        Curve indices and parameters, in cyclic order, among them the start of every curve.
+        Curve indices and parameters, in order, among them the start of every curve.
+    closed : bool
+        Whether the run ends where it starts, and places may begin anywhere on it.
     """
     index = places[0].astype(np.intp)
     start = places[1]
     following = np.roll(places, -1, axis=1)
+    if not closed:
+        following[:, -1] = len(curves), 0
     end = np.where(following[1] > 0, following[1], 1.0)
     still = (following == places).all(axis=0) & (places.shape[1] > 1)
     parts = sub_curves(curves[index], start, np.where(still, start, end))
     whole = (start == 0) & (end == 1) & ~still
     parts[whole] = curves[index[whole]]
     # Each part starts at the very point where the one before it ends.
-    parts[:, 3] = np.roll(parts[:, 0], -1, axis=0)
+    parts[:-1, 3] = parts[1:, 0]
+    if closed:
+        parts[-1, 3] = parts[0, 0]
     return parts

@@ -21,8 +21,25 @@ __all__ = ["LonePart", "RidingPart", "ShownPart"]
 FULL_WIDTH = 0.25
 
 
+class _Ridden:
+    """What a part is whose rings ride, one rider after another."""
+
+    __slots__ = ()
+
+    riders: tuple[Rider | Leaver | Tip, ...]
+
+    @property
+    def rings(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(n for rider in self.riders for n in rider.counts)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        return np.concatenate([rider.curves(t) for rider in self.riders], axis=1)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
-class RidingPart:
+class RidingPart(_Ridden):
     """A shape that becomes another while both ride.
 
     Attributes
@@ -62,22 +79,13 @@ class RidingPart:
             motion = WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
         return cls(name, styles, riders, closed, plane, motion)
 
-    @property
-    def rings(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(n for rider in self.riders for n in rider.counts)
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        return np.concatenate([rider.curves(t) for rider in self.riders], axis=1)
-
     def style(self, t: float) -> Style:
         """Paint at one time."""
         return blend(*self.styles, t, self.motion)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LonePart:
+class LonePart(_Ridden):
     """A shape without a partner: areas open from their middles, lines grow from their ends.
 
     Attributes
@@ -103,15 +111,6 @@ class LonePart:
     arrives: bool
     plane: Plane
     fades: bool = False
-
-    @property
-    def rings(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(n for rider in self.riders for n in rider.counts)
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        return np.concatenate([rider.curves(t) for rider in self.riders], axis=1)
 
     def style(self, t: float) -> Style:
         """Paint at one time; gradients shrink and a stroke thins out with the shape."""

@@ -14,7 +14,7 @@ from shapetween.gradients import has_gradient
 from shapetween.mesh import MeshPair
 from shapetween.observe import Observer
 from shapetween.outline import Outline
-from shapetween.riding.passengers import Passenger
+from shapetween.riding.passengers import Deck, Passenger
 from shapetween.riding.specks import morph_speck
 from shapetween.rings.body import Carried, RingMatch
 from shapetween.rings.carry import affine_between
@@ -187,8 +187,9 @@ def morph_fill(
         bodies.append([outer, *holes])
     with settings.observe("move"):
         carried, holder = _moved(bodies, settings, touching=divided is not None)
+        decks = [Deck.of(body) for body in carried]
         passengers = [
-            Passenger.of(region.outer, (), arrives, carried[holder[body]], is_hole=True)
+            Passenger.of(region.outer, (), arrives, decks[holder[body]], is_hole=True)
             for region, arrives, body in strangers
         ]
         specks = tuple(morph_speck(before[i].outer, after[j].outer) for i, j in small)
@@ -201,7 +202,7 @@ def morph_fill(
             (before, pairing.first_only, False),
             (after, pairing.second_only, True),
         ):
-            on = carried[0] if len(carried) == 1 else None
+            on = decks[0] if len(decks) == 1 else None
             passengers += [Passenger.of(side[k].outer, side[k].holes, arrives, on) for k in only]
     if settings.folds == "prevent":
         warnings += _of_crossings(carried, f"{name}: " if name else "")

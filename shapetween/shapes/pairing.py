@@ -10,6 +10,7 @@ import numpy as np
 from shapetween.arrays import Floats, Mask, Points
 from shapetween.drawing import Shape
 from shapetween.paint import Colour, Gradient, Paint
+from shapetween.shapes.naming import is_given
 
 __all__ = ["LEFT", "Pairing", "Thing", "pair_shapes", "pair_things"]
 
@@ -35,6 +36,10 @@ LEFT, LARGE = 0.5, 0.6
 
 #: What leaving alone costs among the pieces and holes of one shape, which are all of one kind.
 PIECE_LEFT = 1.2
+
+#: What a pair saves of which both have one name that an editor gave: files made from one another
+#: share such names, and strangers may do so by chance.
+NAMED = 0.4
 
 #: What a pair of areas in one paint saves where both drawings have as many of them, and how many at
 #: least: one or two may be alike by chance, as palettes are small.
@@ -168,7 +173,7 @@ def pair_shapes(
     Parameters
     ----------
     first, second : sequence of Shape
-        In paint order.
+        In paint order. Names that editors give by themselves only help.
     scale : float
         Diagonal of the drawing.
     fixed : sequence of (int, int)
@@ -183,12 +188,12 @@ def pair_shapes(
     """
     settled = list(fixed)
     taken = {a for a, _ in settled}, {b for _, b in settled}
-    names = [Counter(shape.name for shape in side) for side in (first, second)]
-    for i, shape in enumerate(first):
-        if shape.name and names[0][shape.name] == names[1][shape.name] == 1 and i not in taken[0]:
-            j = next(k for k, other in enumerate(second) if other.name == shape.name)
-            if j not in taken[1]:
-                settled.append((i, j))
+    alike = _named_alike(first, second)
+    settled += [
+        (i, j)
+        for i, j in alike
+        if is_given(first[i].name) and i not in taken[0] and j not in taken[1]
+    ]
     colours = [np.array([_seen(shape) for shape in side]) for side in (first, second)]
     kinds = [np.array([shape.style.fill is None for shape in side]) for side in (first, second)]
     orders = [np.arange(len(side)) / max(len(side) - 1, 1) for side in (first, second)]
@@ -200,12 +205,22 @@ def pair_shapes(
     extra = extra + OPEN * np.abs(rings[0][:, None] - rings[1])
     extra = extra + ORDER * np.abs(orders[0][:, None] - orders[1])
     extra = extra - COMPLETE * _complete(first, second)
+    for i, j in alike:
+        extra[i, j] -= NAMED
     if shared is not None:
         extra = extra + OVERLAP * (1 - shared)
     if barred is not None:
         extra = np.where(barred, np.inf, extra)
     things = [_thing(shape) for shape in first] if brought is None else brought
     return pair_things(things, [_thing(shape) for shape in second], scale, extra, settled, LEFT)
+
+
+def _named_alike(first: Sequence[Shape], second: Sequence[Shape]) -> list[tuple[int, int]]:
+    """Pairs of shapes by names that both drawings have once."""
+    counts = [Counter(shape.name for shape in side) for side in (first, second)]
+    once = {name for name in counts[0] if name and counts[0][name] == counts[1][name] == 1}
+    there = {shape.name: j for j, shape in enumerate(second) if shape.name in once}
+    return [(i, there[shape.name]) for i, shape in enumerate(first) if shape.name in once]
 
 
 def _complete(first: Sequence[Shape], second: Sequence[Shape]) -> Mask:

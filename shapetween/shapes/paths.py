@@ -9,6 +9,7 @@ from shapetween.drawing import Shape
 from shapetween.geometry.bezier import end_tangents
 from shapetween.outline import Outline
 from shapetween.paint import Gradient, Stroke
+from shapetween.shapes.naming import is_given
 
 __all__ = ["plain_shapes"]
 
@@ -37,7 +38,7 @@ def plain_shapes(
     sides = _plain(first), _plain(second)
     if not all(any(shape.style.fill is None for shape in side) for side in sides):
         return sides
-    names = [{shape.name for shape in side if shape.name} for side in sides]
+    names = [{s.name for s in side if s.name and is_given(s.name)} for side in sides]
     whole = {*kept, *(names[0] & names[1])}
     return _apart(sides[0], whole), _apart(sides[1], whole)
 

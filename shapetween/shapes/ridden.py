@@ -9,8 +9,9 @@ from shapetween.drawing import Shape
 from shapetween.errors import OutlineError
 from shapetween.geometry.bezier import flatten
 from shapetween.outline import Outline
+from shapetween.riding.carriages import is_compact
 from shapetween.riding.nearby import matched_nearby
-from shapetween.riding.riders import Leaver, Rider, Tip, is_compact, riding
+from shapetween.riding.riders import Leaver, Rider, Tip, riding
 from shapetween.shapes.aboard import LonePart, RidingPart
 from shapetween.shapes.flow import Flow, Lane
 from shapetween.shapes.pairing import Thing, pair_things

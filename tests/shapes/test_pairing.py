@@ -113,6 +113,18 @@ def test_names_win_over_places() -> None:
     assert paired(first, unnamed) == pairs((0, 0), (1, 1))
 
 
+@pytest.mark.parametrize("first", ["path4", "Layer_1"])
+def test_names_that_editors_give_only_help(first: str) -> None:
+    left, right = square(0, 0, 3), square(90, 0, 3)
+    one = [area(left, name=first), area(right, name="Vector")]
+    other = [area(left, name="Vector"), area(right, name=first)]
+    assert paired(one, other) == pairs((0, 0), (1, 1))
+    near = square(0.2, 0, 3)
+    halves = [area(left, name=first), area(near, name="Vector")]
+    turned = [area(left, name="Vector"), area(near, name=first)]
+    assert paired(halves, turned) == pairs((0, 1), (1, 0))
+
+
 def test_a_name_that_stands_twice_says_nothing() -> None:
     left, right = square(0, 0, 20), square(60, 0, 20)
     first = [area(left, name="leaf"), area(right, name="leaf")]
