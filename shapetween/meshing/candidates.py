@@ -5,12 +5,12 @@
 """
 
 import heapq
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
-from shapetween.geometry.polygon import cross
 from shapetween.meshing.contour import settled
 
 __all__ = ["candidate_nodes", "far_sample", "opposite_feet", "simplified"]
@@ -42,15 +42,40 @@ def far_sample(points: Points) -> int:
     return int(np.argmax(settled(((points - middle[:, None]) ** 2).sum(axis=(0, -1)))))
 
 
-def _off_chord(curve: Points, first: int, last: int) -> Floats:
-    """Distance of samples strictly between two samples to the segment that joins these."""
-    start, along = curve[first], curve[last] - curve[first]
-    offset = curve[first + 1 : last] - start
-    size = along @ along
-    if size > 0:
-        share = np.minimum(np.maximum(offset @ (along / size), 0.0), 1.0)
-        offset = offset - share[:, None] * along
-    return np.asarray(np.sqrt(np.einsum("ij,ij->i", offset, offset)))
+def _splits(ends: tuple[int, int]) -> bool:
+    """Whether there are samples between two."""
+    return ends[1] - ends[0] > 1
+
+
+def _furthest(
+    curve: Floats, weight: Floats, first: Index, last: Index
+) -> Iterator[tuple[float, int]]:
+    """How far the furthest sample of each of many stretches is from its chord, and which it is.
+
+    Parameters
+    ----------
+    curve : (D, N) float64
+        Samples in D dimensions.
+    weight : (N,) float64
+        How much each sample's distance counts.
+    first, last : (S,) intp
+        Ends of the stretches, with at least one sample strictly between them.
+    """
+    inside = last - first - 1
+    begin = np.cumsum(inside) - inside
+    stretch = np.repeat(np.arange(len(first)), inside)
+    sample = np.arange(len(stretch)) + (first + 1 - begin)[stretch]
+    start = curve.take(first, axis=1)
+    along = curve.take(last, axis=1) - start
+    size = (along**2).sum(axis=0)
+    offset = curve.take(sample, axis=1) - start.take(stretch, axis=1)
+    share = (offset * (along / np.where(size > 0, size, 1.0)).take(stretch, axis=1)).sum(axis=0)
+    offset -= np.minimum(np.maximum(share, 0.0), 1.0) * along.take(stretch, axis=1)
+    score = settled(np.sqrt((offset**2).sum(axis=0)) * weight[sample])
+    best = np.maximum.reduceat(score, begin)
+    reached = np.flatnonzero(score == best[stretch])
+    earliest = reached[np.searchsorted(stretch[reached], np.arange(len(first)))]
+    return zip(best.tolist(), sample[earliest].tolist(), strict=True)
 
 
 def simplified(points: Points, corners: Mask, count: int, kept: Index | None = None) -> Index:
@@ -78,24 +103,26 @@ def simplified(points: Points, corners: Mask, count: int, kept: Index | None = N
     if len(chosen) >= count:
         return np.array(chosen, dtype=np.intp)
     # Gone round twice, so that every stretch is a slice.
-    curve = np.concatenate([points[0], points[1]], axis=-1)
-    curve, bonus = np.tile(curve, (2, 1)), np.tile(np.where(corners, CORNER_BONUS, 1.0), 2)
-    heap: list[tuple[float, int, int, int]] = []
-
-    def push(first: int, last: int) -> None:
-        if last - first > 1:
-            score = settled(_off_chord(curve, first, last) * bonus[first + 1 : last])
-            best = int(score.argmax())
-            heapq.heappush(heap, (-float(score[best]), first, first + 1 + best, last))
-
+    curve = np.tile(np.concatenate([points[0], points[1]], axis=-1).T, 2)
+    bonus = np.tile(np.where(corners, CORNER_BONUS, 1.0), 2)
     ring = sorted(chosen)
-    for first, last in pairwise([*ring, ring[0] + total]):
-        push(first, last)
-    while heap and len(chosen) < count:
+    due = list(pairwise([*ring, ring[0] + total]))
+    splits: dict[tuple[int, int], tuple[float, int]] = {}
+    heap: list[tuple[float, int, int, int]] = []
+    while len(chosen) < count:
+        if any(_splits(ends) and ends not in splits for ends in due):
+            # One call measures whatever may be due next as well.
+            halves = [half for _, a, b, c in heap for half in ((a, b), (b, c))]
+            new = [ends for ends in due + halves if _splits(ends) and ends not in splits]
+            splits.update(zip(new, _furthest(curve, bonus, *np.array(new).T), strict=True))
+        for first, last in filter(_splits, due):
+            score, middle = splits[first, last]
+            heapq.heappush(heap, (-score, first, middle, last))
+        if not heap:
+            break
         _, first, middle, last = heapq.heappop(heap)
         chosen.append(middle % total)
-        push(first, middle)
-        push(middle, last)
+        due = [(first, middle), (middle, last)]
     return np.array(chosen, dtype=np.intp)
 
 
@@ -118,9 +145,9 @@ def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
     tangent = tangent[:, nodes]
     size = np.sqrt((tangent**2).sum(-1))
     tangent = tangent / np.where(size > 0, size, 1.0)[..., None]
-    reach = points[:, None] - points[:, nodes, None]  # (2, n, N, 2)
-    inward = cross(tangent[:, :, None], reach)
-    square = (reach**2).sum(-1)
+    x, y = np.moveaxis(points[:, None] - points[:, nodes, None], -1, 0)  # each (2, n, N)
+    inward = tangent[:, :, :1] * y - tangent[:, :, 1:] * x
+    square = x * x + y * y
     ahead = inward > 1e-6 * np.sqrt(square)
     radii = np.where(ahead, square / np.where(ahead, 2 * inward, 1.0), np.inf)
     around = (nodes[:, None] + np.arange(-2, 3)) % points.shape[1]
@@ -152,11 +179,14 @@ def candidate_nodes(points: Points, corners: Mask, count: int, kept: Index | Non
     feet, radii = opposite_feet(points, nodes)
     clearance = FOOT_CLEARANCE * total / count
     taken = nodes.tolist()
+    near = np.arange(-int(clearance), int(clearance) + 1)
+    crowded = np.zeros(total, dtype=bool)
+    crowded[(nodes[:, None] + near) % total] = True
     thinnest_first = np.argsort(radii, axis=None, kind="stable")
     for foot in feet.ravel()[thinnest_first].tolist():
-        apart = np.abs(np.array(taken) - foot)
-        if np.minimum(apart, total - apart).min() > clearance:
+        if not crowded[foot]:
             taken.append(foot)
+            crowded[(foot + near) % total] = True
         if len(taken) >= count:
             break
     return simplified(points, corners, count, np.array(taken, dtype=np.intp))

@@ -11,12 +11,13 @@ so that the search chooses the corners along with the faces.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask
 
-__all__ = ["Dissection", "dissect", "linked_faces"]
+__all__ = ["Dissection", "dissect", "joined_chains", "linked_chains"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,78 +44,51 @@ def _expand(counts: Index) -> tuple[Index, Index]:
     return group, np.arange(len(group)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
-def linked_faces(links: Mask, lids: Mask) -> tuple[Index, Index]:
-    """All triangles and all chains of three links whose ends may be joined.
+def linked_chains(links: Mask) -> Index:
+    """All chains of two links.
 
     Parameters
     ----------
-    links, lids : (n, n) bool
-        Pairs ``i < j`` that may be a face's side away from, and towards, the polygon's end.
+    links : (n, n) bool
+        Pairs ``i < j`` that may be a face's side away from the polygon's end.
 
     Returns
     -------
-    triangles : (T, 3) intp
-    chains : (C, 3) intp
-        i, k, l with links i-k and k-l: beginnings of quads, to be sifted and then given to
-        `completed_quads`.
+    (3, C) intp
+        i, k, l with links i-k and k-l, in lexicographic order.
     """
     links = np.triu(links, 1)
     first, middle = np.nonzero(links)
     degree = links.sum(axis=1)
     begin = np.cumsum(degree) - degree
     group, nth = _expand(degree[middle])
-    chains = np.stack([first[group], middle[group], middle[begin[middle[group]] + nth]], axis=1)
-    return chains[lids[chains[:, 0], chains[:, 2]]], chains
+    at = middle[group]
+    return np.stack([first[group], at, middle[begin[at] + nth]])
 
 
-def completed_quads(chains: Index, links: Mask, lids: Mask) -> Index:
-    """Quads i, k, l, j of chains i, k, l with a link l-j and a lid i-j, (Q, 4)."""
-    links = np.triu(links, 1)
-    degree = links.sum(axis=1)
-    begin = np.cumsum(degree) - degree
-    last = np.nonzero(links)[1]
-    group, nth = _expand(degree[chains[:, 2]])
-    end = last[begin[chains[group, 2]] + nth]
-    kept = lids[chains[group, 0], end]
-    return np.concatenate([chains[group[kept]], end[kept, None]], axis=1)
+def joined_chains(chains: Index, lids: Mask) -> tuple[Index, Index]:
+    """Chains i, k, l and k, l, j that make a quad i, k, l, j together, with a lid i-j.
 
+    Parameters
+    ----------
+    chains : (3, C) intp
+        Those that may be part of a quad, in lexicographic order.
+    lids : (n, n) bool
+        Pairs ``i < j`` that may be a face's side towards the polygon's end.
 
-class _Group:
-    """Faces of one kind, sorted by the pair of their first and last corner."""
-
-    def __init__(self, faces: Index, costs: Floats, count: int) -> None:
-        self.count = count
-        length = faces[:, -1] - faces[:, 0]
-        order = np.lexsort((faces[:, 0], length))
-        self.faces, self.costs = faces[order], costs[order]
-        self.links = self.faces[:, :-1] * count + self.faces[:, 1:]
-        key = length[order] * count + self.faces[:, 0]
-        self.starts = np.flatnonzero(np.diff(key, prepend=-1))
-        self.keys = key[self.starts]
-        self.ends = np.append(self.starts[1:], len(key))
-        self.by_length = np.searchsorted(self.keys, np.arange(count + 1) * count)
-
-    def lower(self, length: int, least: Floats, inner: Floats) -> None:
-        """Lower inner[i, i + length] to the cheapest face of this kind."""
-        low, high = self.by_length[length], self.by_length[length + 1]
-        if low == high:
-            return
-        span = slice(self.starts[low], self.ends[high - 1])
-        total = self.costs[span] + least[self.links[span]].sum(axis=1)
-        best = np.minimum.reduceat(total, self.starts[low:high] - span.start)
-        first = self.keys[low:high] - length * self.count
-        np.minimum.at(inner, (first, first + length), best)
-
-    def cheapest(self, first: int, last: int, least: Floats) -> tuple[float, Index]:
-        """Cost and corners of the cheapest face with these two ends."""
-        key = (last - first) * self.count + first
-        at = int(np.searchsorted(self.keys, key))
-        if at == len(self.keys) or self.keys[at] != key:
-            return np.inf, self.faces[:0]
-        span = slice(self.starts[at], self.ends[at])
-        total = self.costs[span] + least[self.links[span]].sum(axis=1)
-        best = int(np.argmin(total))
-        return float(total[best]), self.faces[span][best]
+    Returns
+    -------
+    first, second : (Q,) intp
+        Numbers of the chains, in lexicographic order of the quads.
+    """
+    count = len(lids)
+    starts = np.bincount(chains[0] * count + chains[1], minlength=count * count)
+    begin = np.cumsum(starts) - starts
+    link = chains[1] * count + chains[2]
+    first, nth = _expand(starts[link])
+    second = begin[link][first] + nth
+    kept = lids[chains[0][first], chains[2][second]]
+    return first[kept], second[kept]
 
 
 def dissect(
@@ -140,35 +114,73 @@ def dissect(
     One array operation for each distance j - i. Ties go to the first face in the given order.
     """
     count = len(sides)
+    faces, costs, starts, keys = _by_ends(quads, triangles, count)
+    links = faces[:-1] * count + faces[1:]  # (3, F)
+    ends = np.append(starts[1:], len(costs))
+    by_length = np.searchsorted(keys, np.arange(count + 1) * count).tolist()
+
     least = np.triu(sides, 1)
-    least[np.tril_indices(count)] = np.inf
+    least[np.tril_indices(count, -1)] = np.inf  # and 0 from a corner to itself
     inner = np.full((count, count), np.inf)
-    groups = [_Group(faces, costs, count) for faces, costs in (quads, triangles) if len(faces)]
-    flat = least.reshape(-1)
+    flat_least, flat_inner, flat_chords = least.ravel(), inner.ravel(), chords.ravel()
     for length in range(1, count):
-        for group in groups:
-            group.lower(length, flat, inner)
-        first = np.arange(count - length)
-        last = first + length
-        least[first, last] = np.minimum(
-            least[first, last], chords[first, last] + inner[first, last]
-        )
+        diagonal = slice(length, (count - length) * count, count + 1)  # all i, i + length
+        low, high = by_length[length], by_length[length + 1]
+        if low < high:
+            span = slice(starts[low], ends[high - 1])
+            total = costs[span].copy()
+            for link in links[:, span]:
+                total += flat_least[link]
+            first = keys[low:high] - length * count
+            flat_inner[first * (count + 1) + length] = np.minimum.reduceat(
+                total, starts[low:high] - span.start
+            )
+        within = flat_chords[diagonal] + flat_inner[diagonal]
+        flat_least[diagonal] = np.minimum(flat_least[diagonal], within)
 
     root = closing + inner[:, -1]
     start = int(np.argmin(root))
-    chosen: dict[int, list[Index]] = {4: [], 3: []}
     if not np.isfinite(root[start]):
         return Dissection(np.zeros((0, 4), np.intp), np.zeros((0, 3), np.intp), np.inf)
+    chosen = []
     stack = [(start, count - 1)]
     while stack:
-        ends = stack.pop()
-        _, face = min((g.cheapest(*ends, flat) for g in groups), key=lambda found: found[0])
-        chosen[len(face)].append(face)
-        for i, j in zip(face[:-1].tolist(), face[1:].tolist(), strict=True):
-            if chords[i, j] + inner[i, j] < sides[i, j]:
-                stack.append((i, j))
-    return Dissection(
-        np.array(chosen[4], dtype=np.intp).reshape(-1, 4),
-        np.array(chosen[3], dtype=np.intp).reshape(-1, 3),
-        float(root[start]),
+        i, j = stack.pop()
+        at = int(np.searchsorted(keys, (j - i) * count + i))
+        span = slice(starts[at], ends[at])
+        total = costs[span] + flat_least[links[:, span]].sum(axis=0)
+        face = faces[:, span.start + int(np.argmin(total))]
+        chosen.append(face)
+        stack += [
+            link for link in pairwise(face.tolist()) if chords[link] + inner[link] < sides[link]
+        ]
+    found = np.array(chosen)
+    three = found[:, 1] == found[:, 2]
+    return Dissection(found[~three], found[three][:, [0, 1, 3]], float(root[start]))
+
+
+def _by_ends(
+    quads: tuple[Index, Floats], triangles: tuple[Index, Floats], count: int
+) -> tuple[Index, Floats, Index, Index]:
+    """Faces sorted by the distance of their first and last corner, and then by the first.
+
+    Returns
+    -------
+    faces : (4, F) intp
+        Triangles have their second corner twice.
+    costs : (F,) float64
+    starts, keys : (E,) intp
+        Where faces with other ends begin, and (j - i) * count + i of these ends i, j.
+    """
+    faces = np.concatenate([quads[0], triangles[0][:, [0, 1, 1, 2]]]).T
+    key = (faces[3] - faces[0]) * count + faces[0]
+    # Numbers of two bytes are sorted by counting, ten times quicker.
+    order = np.argsort(key.astype(np.min_scalar_type(count * count)), kind="stable")
+    key = key[order]
+    starts = np.flatnonzero(np.diff(key, prepend=-1))
+    return (
+        faces.take(order, axis=1),
+        np.concatenate([quads[1], triangles[1]])[order],
+        starts,
+        key[starts],
     )

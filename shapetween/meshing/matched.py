@@ -161,8 +161,10 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
     for count in ROUNDS:
         kept = None if draft is None else draft.nodes
         candidates = candidate_nodes(contours.points, corners, count, kept)
-        links = Links.between(contours, candidates)
+        links = Links.between(contours, candidates, LEVELS[0].outside)
         for level in LEVELS:
+            if level.outside > links.most:
+                links = Links.between(contours, candidates, level.outside)
             search = Search.over(links, level)
             found = search.cheapest(QUAD_PRICE)
             if np.isfinite(found.cost):

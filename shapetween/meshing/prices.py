@@ -65,4 +65,4 @@ def _broken_prices(figures: FaceFigures) -> Floats:
 
 def side_prices(waste: Floats) -> Floats:
     """Price of sides that waste so much of each shape, (2, ...) to (...)."""
-    return settled(UNCOVERED_PRICE * waste.mean(axis=0))
+    return settled(UNCOVERED_PRICE * ((waste[0] + waste[1]) / 2))

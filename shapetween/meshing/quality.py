@@ -69,11 +69,12 @@ def face_figures(corners: Points) -> FaceFigures:
     corner is the ratio of these areas between the shapes; no homography need be solved for.
     """
     # Corners first and as complex numbers: twenty times fewer and longer inner loops.
-    z = np.ascontiguousarray(np.moveaxis(corners[..., 0] + 1j * corners[..., 1], -1, 0))
-    z -= z.mean(axis=0)
-    following = np.roll(z, -1, axis=0)
+    z = np.ascontiguousarray(corners).view(np.complex128)[..., 0]
+    z = np.ascontiguousarray(z.transpose(-1, *range(z.ndim - 1)))
+    z -= z.sum(axis=0) / len(z)
+    following = np.concatenate([z[1:], z[:1]])
     leaving = following - z
-    product = np.roll(leaving, 1, axis=0).conj() * leaving
+    product = np.concatenate([leaving[-1:], leaving[:-1]]).conj() * leaving
     turns, size = product.imag, abs(product)
     sine = (turns / np.where(size > 0, size, 1.0)).min(axis=(0, 1))
 
@@ -81,7 +82,7 @@ def face_figures(corners: Points) -> FaceFigures:
     w = np.where(convex, turns[:, 1], 1.0) / np.where(convex, turns[:, 0], 1.0)
     perspective = np.where(convex, w.max(axis=0) / w.min(axis=0), np.inf)
 
-    area = (z.conj() * following).imag.sum(axis=0).mean(axis=0) / 2
+    area = (z.conj() * following).imag.sum(axis=(0, 1)) / 4
     spread = (z.real**2 + z.imag**2).sum(axis=(0, 1))
     misfit = spread - 2 * abs((z[:, 0].conj() * z[:, 1]).sum(axis=0))
     return FaceFigures(sine, perspective, area, misfit)

@@ -11,7 +11,7 @@ import numpy as np
 from shapetween.arrays import Floats, Index, Mask, Points
 from shapetween.errors import OutlineError
 from shapetween.geometry.polygon import polygon_area
-from shapetween.meshing.dissection import completed_quads, dissect, linked_faces
+from shapetween.meshing.dissection import dissect, joined_chains, linked_chains
 from shapetween.meshing.inner import joined_triangles, smoothed
 from shapetween.meshing.overlay import overlay
 from shapetween.meshing.quality import MIN_CORNER_SINE, face_figures
@@ -173,13 +173,15 @@ def _dissected(rings: Points, inside: Mask) -> Faces | None:
     links[own[:-1], own[1:]] = True
     lids = np.triu(inside)
     lids[0, -1] = True
-    triangles, chains = linked_faces(links, lids)
+    chains = linked_chains(links)
+    if chains.shape[1] * max(1.0, links.sum() / count) > QUAD_LIMIT:
+        return None
+    triangles = chains[:, lids[chains[0], chains[2]]].T
     sharp = face_figures(rings[:, triangles]).sine
     sound = sharp > 0
     triangles, sharp = triangles[sound], sharp[sound]
-    if len(chains) * max(1.0, links.sum() / count) > QUAD_LIMIT:
-        return None
-    quads = completed_quads(chains, links, lids)
+    first, second = joined_chains(chains, lids)
+    quads = np.stack([*chains[:, first], chains[2][second]], axis=1)
     figures = face_figures(rings[:, quads])
     sound = figures.sine > MIN_CORNER_SINE
     sides = np.full((count, count), np.inf)

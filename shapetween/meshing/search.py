@@ -10,11 +10,11 @@ from functools import partial
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
-from shapetween.geometry.polygon import cross
 from shapetween.meshing.contour import Contours, arc_waste, outside_lengths, settled
-from shapetween.meshing.dissection import Dissection, completed_quads, dissect, linked_faces
+from shapetween.meshing.dissection import Dissection, dissect, joined_chains, linked_chains
 from shapetween.meshing.prices import QUAD_PRICE, quad_prices, side_prices, triangle_prices
-from shapetween.meshing.quality import MIN_CORNER_SINE, FaceFigures, face_figures
+from shapetween.meshing.quality import MIN_CORNER_SINE, FaceFigures
+from shapetween.meshing.spans import Chains, Spans
 
 __all__ = ["LEVELS", "Level", "Links", "Search"]
 
@@ -30,7 +30,7 @@ OUTSIDE_PRICE = 60.0
 QUAD_LIMIT = 150_000
 
 #: Faces measured at once. More fall out of the processor's caches and take twice as long.
-AT_ONCE = 1000
+AT_ONCE = 5000
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,9 @@ class Links:
     closing : (2, n) float64
         What a side from the last candidate round to each one wastes.
     outside : (2, n, n) float64
-        Length of the chord outside each shape.
+        Length of the chord outside each shape; infinite where plainly `most` or more.
+    most : float
+        Length outside from which on a chord is of no use.
     """
 
     nodes: Index
@@ -87,9 +89,10 @@ class Links:
     waste: Floats
     closing: Floats
     outside: Floats
+    most: float
 
     @classmethod
-    def between(cls, contours: Contours, candidates: Index) -> "Links":
+    def between(cls, contours: Contours, candidates: Index, most: float) -> "Links":
         """Measure the pairs of candidates, (n,), of which the first is a node for certain."""
         rank = np.argsort((candidates - candidates[0] - 1) % len(contours), kind="stable")
         nodes = candidates[rank]
@@ -99,8 +102,8 @@ class Links:
         waste[:, i, j] = arc_waste(contours, nodes[i], nodes[j])
         closing = arc_waste(contours, np.full(count, nodes[-1]), nodes)
         closing[:, -1] = np.inf
-        outside = outside_lengths(contours.points, nodes)
-        return cls(nodes, rank, contours.points[:, nodes], waste, closing, outside)
+        outside = outside_lengths(contours.points, nodes, most)
+        return cls(nodes, rank, contours.points[:, nodes], waste, closing, outside, most)
 
     def thinned(self, count: int) -> "Links":
         """The same between the most important candidates only."""
@@ -113,6 +116,7 @@ class Links:
             self.waste[pairs],
             self.closing[:, kept],
             self.outside[pairs],
+            self.most,
         )
 
     def priced(self, level: Level) -> tuple[Floats, Floats, Floats]:
@@ -157,26 +161,25 @@ class Search:
     @classmethod
     def over(cls, links: Links, level: Level) -> "Search":
         """Price all faces between candidates, or between as many as there is time for."""
+        least = -np.inf if level.broken else MIN_CORNER_SINE
         while True:
             sides, chords, closing = links.priced(level)
             bounds, lids = np.isfinite(sides) | np.isfinite(chords), np.isfinite(chords)
             lids[:, -1] |= np.isfinite(closing)
-            triangles, chains = linked_faces(bounds, lids)
-            if not level.broken:
-                chains = chains[_bent(links.points, chains)]
-            expected = bounds.sum(axis=1)[chains[:, 2]].sum()
+            chains = Chains.of(Spans.of(links.points), linked_chains(bounds), least)
+            expected = bounds.sum(axis=1)[chains.nodes[2]].sum()
             if expected <= QUAD_LIMIT:
                 break
             # The number of quads grows with the fourth power of the number of nodes.
             links = links.thinned(int(len(links.nodes) * (QUAD_LIMIT / expected) ** 0.25))
-        quads = completed_quads(chains, bounds, lids)
-        if not level.broken:
-            bent = np.zeros((len(links.nodes),) * 3, dtype=bool)
-            bent[tuple(chains.T)] = True
-            quads = quads[bent[quads[:, 1], quads[:, 2], quads[:, 3]]]
-        least = -np.inf if level.broken else MIN_CORNER_SINE
-        quads, quad_costs = _sound(links.points, quads, least, partial(quad_prices, quad_price=0.0))
-        triangles, triangle_costs = _sound(links.points, triangles, least, triangle_prices)
+        first, second = joined_chains(chains.nodes, lids)
+        price = partial(quad_prices, quad_price=0.0)
+        kept, quad_costs = _sound(chains.quad_figures, (first, second), least, price)
+        ends = chains.nodes[2][second[kept]]
+        quads = np.stack([*chains.nodes[:, first[kept]], ends], axis=1)
+        closed = np.flatnonzero(lids[chains.nodes[0], chains.nodes[2]])
+        kept, triangle_costs = _sound(chains.triangle_figures, (closed,), least, triangle_prices)
+        triangles = chains.nodes[:, closed[kept]].T
         return cls(
             links.nodes, sides, chords, closing, quads, quad_costs, triangles, triangle_costs
         )
@@ -194,21 +197,16 @@ class Search:
 
 
 def _sound(
-    points: Points, faces: Index, least: float, price: Callable[[FaceFigures], Floats]
-) -> tuple[Index, Floats]:
-    """Faces whose corners have at least some sine, and their prices."""
+    measure: Callable[..., FaceFigures],
+    chains: tuple[Index, ...],
+    least: float,
+    price: Callable[[FaceFigures], Floats],
+) -> tuple[Mask, Floats]:
+    """Which faces of some chains have corners of at least some sine, and the prices of these."""
     kept, costs = [], []
-    for some in np.array_split(faces, 1 + len(faces) // AT_ONCE):
-        figures = face_figures(points[:, some])
+    for start in range(0, len(chains[0]) + 1, AT_ONCE):
+        figures = measure(*(some[start : start + AT_ONCE] for some in chains))
         sound = figures.sine >= least
-        kept.append(some[sound])
+        kept.append(sound)
         costs.append(price(figures)[sound])
     return np.concatenate(kept), np.concatenate(costs)
-
-
-def _bent(points: Points, chains: Index) -> Mask:
-    """Which chains of three corners turn enough to be part of a quad, in both shapes."""
-    a, b, c = (points[:, chains[:, corner]] for corner in range(3))
-    to, on = b - a, c - b
-    size = np.sqrt((to**2).sum(-1) * (on**2).sum(-1))
-    return np.asarray((cross(to, on) >= MIN_CORNER_SINE * size).all(axis=0))

@@ -54,14 +54,21 @@ def slid(contours: Contours, pull: Floats, nodes: Index, quads: Index, triangles
         here = nodes[stale, None]
         before, after = np.roll(nodes, 1)[stale, None], np.roll(nodes, -1)[stale, None]
         places = (nodes[:, None] + steps) % total
-        price[stale] = side_prices(arc_waste(contours, before, places[stale]))
-        price[stale] += side_prices(arc_waste(contours, places[stale], after)) - pull[places[stale]]
+        tried = places[stale]
+        ends = np.stack(
+            [np.broadcast_to(before, tried.shape), tried, np.broadcast_to(after, tried.shape)]
+        )
+        to, on = side_prices(arc_waste(contours, ends[:2], ends[1:]))
+        price[stale] = to + on - pull[tried]
         for faces, prices in ((quads, quad_prices), (triangles, triangle_prices)):
             face, corner = np.nonzero(stale[faces])
+            if not len(face):
+                continue
             moved = faces[face, corner]
             samples = np.repeat(nodes[faces[face]][:, None], len(steps), axis=1)  # (M, steps, K)
             samples[np.arange(len(face)), :, corner] = places[moved]
-            np.add.at(price, moved, prices(face_figures(contours.points[:, samples])))
+            figures = face_figures(contours.points.take(samples, axis=1))
+            np.add.at(price, moved, prices(figures))
         blocked = (steps <= -((here - before) % total)) | (steps >= (after - here) % total)
         price[stale] = np.where(blocked, np.inf, price[stale])
 

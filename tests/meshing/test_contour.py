@@ -19,7 +19,7 @@ def contour(ring: Points, count: int = 200, offset: float = 0.0) -> Points:
 def test_length_outside_is_that_of_the_difference(ring: Points) -> None:
     points = contour(ring)
     nodes = np.arange(0, len(points), 5)
-    lengths = outside_lengths(np.stack([points, points]), nodes)[0]
+    lengths = outside_lengths(np.stack([points, points]), nodes, np.inf)[0]
     i, j = np.nonzero(np.isfinite(lengths))
     assert (i < j).all()
     chords = shapely.linestrings(np.stack([points[nodes[i]], points[nodes[j]]], axis=1))
@@ -31,11 +31,23 @@ def test_chords_that_stay_inside_both_are_never_passed_over() -> None:
     rng = np.random.default_rng(3)
     points = np.stack([contour(untangled(rng, 12), 96), contour(untangled(rng, 12), 96)][:1] * 2)
     nodes = np.arange(0, points.shape[1], 3)
-    lengths = outside_lengths(points, nodes)[0]
+    lengths = outside_lengths(points, nodes, np.inf)[0]
     i, j = np.triu_indices(len(nodes), 2)
     chords = shapely.linestrings(np.stack([points[0, nodes[i]], points[0, nodes[j]]], axis=1))
     inside = shapely.covers(shapely.Polygon(points[0]), chords)
     np.testing.assert_allclose(lengths[i, j][inside], 0, atol=1e-12)
+
+
+def test_chords_outside_the_first_are_not_measured_in_the_second() -> None:
+    rings = matched(comb(4), regular(30), 200)[:2]
+    points = np.stack([ring / np.sqrt(polygon_area(ring)) for ring in rings])
+    points += np.random.default_rng(0).normal(0, 1e-5, points.shape)
+    nodes = np.arange(0, points.shape[1], 3)
+    everything, some = (outside_lengths(points, nodes, most) for most in (np.inf, 0.05))
+    np.testing.assert_array_equal(some[0], everything[0])
+    short = everything[0] < 0.05
+    np.testing.assert_array_equal(some[1], np.where(short, everything[1], np.inf))
+    assert 0 < np.isfinite(some[1]).sum() < np.isfinite(everything[1]).sum()
 
 
 def test_an_arc_on_its_chord_wastes_nothing_and_a_limb_wastes_more_than_its_area() -> None:

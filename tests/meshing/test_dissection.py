@@ -1,13 +1,21 @@
 from functools import cache
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
 
 from shapetween.arrays import Floats, Index, Mask
-from shapetween.meshing.dissection import completed_quads, dissect, linked_faces
+from shapetween.meshing.dissection import dissect, joined_chains, linked_chains
 
 Faces = tuple[Index, Floats]
+
+
+def all_faces(links: Mask, lids: Mask) -> tuple[Index, Index]:
+    chains = linked_chains(links)
+    first, second = joined_chains(chains, lids)
+    np.testing.assert_array_equal(chains[1:, first], chains[:2, second])
+    quads = np.stack([*chains[:, first], chains[2, second]], axis=1)
+    return quads, chains[:, lids[chains[0], chains[2]]].T
 
 
 def random_problem(seed: int, count: int) -> tuple[Floats, Floats, Floats, Faces, Faces]:
@@ -25,8 +33,7 @@ def random_problem(seed: int, count: int) -> tuple[Floats, Floats, Floats, Faces
     links: Mask = np.isfinite(sides) | np.isfinite(chords)
     lids = np.isfinite(chords)
     lids[:, -1] |= np.isfinite(closing)
-    triangles, chains = linked_faces(links, lids)
-    quads = completed_quads(chains, links, lids)
+    quads, triangles = all_faces(links, lids)
     return (
         sides,
         chords,
@@ -101,8 +108,17 @@ def test_where_nothing_fits_there_are_no_faces() -> None:
 
 def test_all_faces_of_a_complete_graph_are_found() -> None:
     everything = np.triu(np.ones((7, 7), dtype=bool), 1)
-    triangles, chains = linked_faces(everything, everything)
+    quads, triangles = all_faces(everything, everything)
     assert len({tuple(t) for t in triangles.tolist()}) == len(triangles) == 35
-    quads = completed_quads(chains, everything, everything)
     assert len({tuple(q) for q in quads.tolist()}) == len(quads) == 35
     assert (np.diff(quads) > 0).all()
+
+
+def test_chains_that_are_left_out_begin_and_end_no_quad() -> None:
+    everything = np.triu(np.ones((6, 6), dtype=bool), 1)
+    chains = linked_chains(everything)[:, 1:]  # all but 0, 1, 2
+    first, second = joined_chains(chains, everything)
+    quads = np.stack([*chains[:, first], chains[2, second]], axis=1)
+    assert sorted(map(tuple, quads.tolist())) == [
+        quad for quad in combinations(range(6), 4) if quad[:3] != (0, 1, 2)
+    ]

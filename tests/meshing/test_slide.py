@@ -1,11 +1,19 @@
 import numpy as np
+import pytest
 
+from shapetween.arrays import Floats, Index, Points
 from shapetween.geometry.polygon import polygon_area
-from shapetween.meshing.candidates import candidate_nodes, far_sample, opposite_feet, simplified
+from shapetween.meshing.candidates import (
+    CORNER_BONUS,
+    candidate_nodes,
+    far_sample,
+    opposite_feet,
+    simplified,
+)
 from shapetween.meshing.contour import Contours
 from shapetween.meshing.quality import face_figures
 from shapetween.meshing.slide import slid
-from tests.meshing.pairs import matched, regular
+from tests.meshing.pairs import comb, matched, regular, star
 
 LIMB = np.array([[0.0, 0.0], [6, 0], [6, 1], [0, 1]])
 
@@ -43,6 +51,40 @@ def test_corners_come_first_when_outlines_are_simplified() -> None:
     shape, corners = contours()
     assert set(simplified(shape.points, corners, 4)) == set(np.flatnonzero(corners))
     assert corners[far_sample(shape.points)]
+
+
+def simplified_step_by_step(points: Points, weight: Floats, chosen: list[int], count: int) -> Index:
+    """One sample at a time, all distances measured anew."""
+    curve = np.concatenate([points[0], points[1]], axis=1)
+    while len(chosen) < count:
+        ring = sorted(chosen)
+        best = (-1.0, -1)
+        for first, last in zip(ring, [*ring[1:], ring[0] + len(curve)], strict=True):
+            start, along = curve[first], curve[last % len(curve)] - curve[first]
+            for sample in range(first + 1, last):
+                offset = curve[sample % len(curve)] - start
+                share = np.clip(offset @ along / max(along @ along, 1e-30), 0, 1)
+                far = np.linalg.norm(offset - share * along) * weight[sample % len(curve)]
+                best = max(best, (far, sample))
+        chosen = [*chosen, best[1] % len(curve)]
+    return np.array(chosen)
+
+
+@pytest.mark.parametrize("kept", [None, [3, 40, 41, 90]])
+def test_outlines_are_simplified_furthest_sample_first(kept: list[int] | None) -> None:
+    source, target, corners = matched(star(5), comb(3), 80, 0.2)
+    points = np.stack([source, target])
+    points += np.random.default_rng(0).normal(0, 1e-3, points.shape)  # no two are as far
+    chosen = [far_sample(points)] if kept is None else kept
+    weight = np.where(corners, CORNER_BONUS, 1.0)
+    found = simplified(points, corners, 30, None if kept is None else np.array(kept))
+    np.testing.assert_array_equal(found, simplified_step_by_step(points, weight, chosen, 30))
+
+
+def test_all_samples_are_chosen_where_more_are_asked_for() -> None:
+    source, target, corners = matched(LIMB, LIMB, 20)
+    found = simplified(np.stack([source, target]), corners, 1000)
+    np.testing.assert_array_equal(np.sort(found), np.arange(len(source)))
 
 
 def test_feet_lie_straight_across_a_limb() -> None:
