@@ -4,6 +4,7 @@ What is written appears under its name only when it is complete: it is made in a
 beside its place, and renamed. A run that fails half-way leaves what was there before.
 """
 
+import os
 import re
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,9 +15,11 @@ from shapetween.errors import BudgetError, InputError, OptionError
 
 __all__ = [
     "MAX_BYTES",
+    "check_file",
     "check_outputs",
     "fresh_file",
     "fresh_frames",
+    "is_device",
     "read_bytes",
     "read_text",
     "same_file",
@@ -75,11 +78,12 @@ def check_outputs(outputs: Sequence[Path], inputs: Sequence[Path]) -> None:
     Raises
     ------
     OptionError
-        If it would, or an output's folder is not there.
+        If it would, or an output's folder is not there or may not be written to.
     """
     for k, output in enumerate(outputs):
         with _reported(output):
-            _check_parent(output)
+            if not is_device(output):
+                _check_parent(output)
             for_frames = output.is_dir()
         for path in inputs:
             if same_file(output, path):
@@ -91,6 +95,24 @@ def check_outputs(outputs: Sequence[Path], inputs: Sequence[Path]) -> None:
                 )
         if any(same_file(output, path) for path in outputs[:k]):
             raise OptionError(f"{output}: is written twice; expected two names")
+
+
+def check_file(path: Path) -> None:
+    """Check before any work that what will be written there can be a file.
+
+    Raises
+    ------
+    OptionError
+        If a folder has that name.
+    """
+    with _reported(path):
+        if path.is_dir():
+            raise OptionError(f"{path}: is a folder; expected the name of a file")
+
+
+def is_device(path: Path) -> bool:
+    """Whether there is something of that name that is neither file nor folder, such as a pipe."""
+    return path.exists() and not path.is_file() and not path.is_dir()
 
 
 def _is_frame(path: Path, folder: Path) -> bool:
@@ -110,6 +132,8 @@ def _check_parent(path: Path) -> None:
     folder = path.resolve().parent
     if not folder.is_dir():
         raise OptionError(f"{path}: there is no folder {folder}")
+    if not os.access(folder, os.W_OK):
+        raise OptionError(f"{path}: the folder {folder} may not be written to")
 
 
 def write_text(path: Path, text: str) -> None:
@@ -136,12 +160,11 @@ def fresh_file(path: Path) -> Iterator[Path]:
         If the file cannot be written; the old one is then still whole.
     """
     with _reported(path):
-        place = path.resolve()
-        if place.is_dir():
-            raise OptionError(f"{path}: is a folder; expected the name of a file")
-        if place.exists() and not place.is_file():
-            yield place
+        check_file(path)
+        if is_device(path):  # asked before links are followed: those to pipes lead nowhere
+            yield path
             return
+        place = path.resolve()
         with _beside(place) as folder:
             fresh = folder / place.name
             yield fresh

@@ -36,7 +36,8 @@ class Progress:
         self.seconds: dict[str, float] = {}
         stream = sys.stderr if stream is None else stream
         self._stream = stream
-        self._shown = not quiet and stream.isatty()
+        # A program that is started without an error stream has None in its place.
+        self._shown = not quiet and stream is not None and stream.isatty()
         self._stage = ""
         self._done = threading.Event()
         self._start = time.perf_counter()

@@ -54,6 +54,24 @@ def test_what_cannot_be_read_is_named(tmp_path: Path, monkeypatch: pytest.Monkey
         read_bytes(tmp_path / "big")
 
 
+def test_a_pipe_is_written_to_and_stays_one(tmp_path: Path) -> None:
+    """By the name that shells and systems give it, a link that leads to no place on a disk."""
+    read, write = os.pipe()
+    check_outputs([Path(f"/dev/fd/{write}")], [])
+    write_text(Path(f"/dev/fd/{write}"), "through")
+    os.close(write)
+    with os.fdopen(read) as stream:
+        assert stream.read() == "through"
+
+
+def test_a_folder_that_may_not_be_written_to_is_named_before_any_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    with pytest.raises(OptionError, match="may not be written to"):
+        check_outputs([tmp_path / "out.svg"], [])
+
+
 def test_writing_replaces_a_file_and_keeps_its_mode(tmp_path: Path) -> None:
     path = tmp_path / "out.svg"
     write_text(path, "one\n")

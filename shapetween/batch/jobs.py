@@ -73,6 +73,8 @@ def read_table(
         If anything is not as it should be; the message names the row, counted from 1 with the
         header, and the column.
     """
+    if "\0" in text:
+        raise InputError(name, "holds a null character; expected comma-separated text")
     known = ("a", "b", "out", "mesh", *columns)
     header: list[str] = []
     jobs: list[Job] = []
@@ -107,6 +109,8 @@ def read_table(
 
 def _header(values: list[str], known: tuple[str, ...], name: str, row: int) -> list[str]:
     for k, value in enumerate(values):
+        if value not in known and ";" in value:
+            raise InputError(name, f"row {row}: has semicolons; expected commas between cells")
         if value not in known:
             near = difflib.get_close_matches(value, known, n=1)
             hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(known)}"

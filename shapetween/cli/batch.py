@@ -13,7 +13,8 @@ import click
 
 from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
-from shapetween.cli.values import PATH
+from shapetween.cli.told import wrote
+from shapetween.cli.values import PATH, Whole
 from shapetween.errors import OptionError
 
 __all__ = ["batch"]
@@ -68,7 +69,7 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
     "-j",
     "--jobs",
     "processes",
-    type=click.IntRange(1, 1024),
+    type=Whole(1, 1024),
     metavar="N",
     help="How many processes.  [default: one a core]",
 )
@@ -124,7 +125,7 @@ def batch(
         jobs = all_pairs_in(gathered, options)
 
     done, failed = 0, 0
-    hidden = quiet or not sys.stderr.isatty()
+    hidden = quiet or sys.stderr is None or not sys.stderr.isatty()
     try:
         with (
             _executor(dask) as executor,
@@ -158,7 +159,7 @@ def batch(
         see = folder / "summary.csv"
         raise OptionError(f"{failed} of {len(jobs)} pairs failed, the first: {first}; see {see}")
     if not quiet:
-        click.echo(f"wrote {len(jobs)} pairs and their summary to {folder}")
+        wrote(folder, f"{len(jobs)} pairs and their summary to ")
 
 
 def _check_kept(table: Path, folder: Path) -> None:

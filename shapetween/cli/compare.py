@@ -8,11 +8,11 @@ from shapetween.cli.options import (
     A,
     B,
     Common,
+    check_form,
     common,
     duration_option,
     out_option,
 )
-from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
 __all__ = ["compare"]
@@ -25,7 +25,7 @@ __all__ = ["compare"]
     "OUT.html|OUT.svg|OUT.json",
     "A page, the animations alone, or the figures.  [default: A-to-B-compared.html]",
 )
-@duration_option("Length of one way, of the animations alone.")
+@duration_option("Length of one way, of the animations alone (OUT.svg).")
 @common
 def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common) -> None:
     """Show every method on one pair, with figures: a page that needs nothing else.
@@ -34,9 +34,7 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
     matching and one mesh. A method that fails is shown with the reason in its place.
     """
     path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
-    form = path.suffix.lower()
-    if form not in (".html", ".htm", ".svg", ".json"):
-        raise OptionError(f"{path}: a comparison is written as .html, .svg or .json")
+    form = check_form(path, "a comparison", (".html", ".htm", ".svg", ".json"))
     with Progress(quiet=common.quiet) as run:
         with run("import"):
             from shapetween.compare import compare as compare_methods

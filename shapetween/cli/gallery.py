@@ -4,6 +4,9 @@ from pathlib import Path
 
 import click
 
+from shapetween.cli.options import QUIET
+from shapetween.cli.told import wrote
+from shapetween.cli.values import PATH
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
@@ -14,13 +17,13 @@ __all__ = ["gallery"]
 @click.option(
     "-o",
     "--out",
-    type=click.Path(path_type=Path),
+    type=PATH,
     default=Path("gallery"),
     show_default=True,
     metavar="DIR",
     help="Folder for index.html and its pictures, made if it is not there.",
 )
-@click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
+@QUIET
 def gallery(out: Path, quiet: bool) -> None:
     """Draw the figures of the paper and a showcase, and a page that shows them.
 
@@ -37,6 +40,8 @@ def gallery(out: Path, quiet: bool) -> None:
             )
 
             folder = gallery_folder()
+        if out.exists() and not out.is_dir():
+            raise OptionError(f"{out}: is a file; expected a folder for the gallery")
         files.check_outputs([out / "index.html"] if out.is_dir() else [out], [])
         rooms = draw_rooms(folder, run)
         with run("write"):
@@ -47,4 +52,4 @@ def gallery(out: Path, quiet: bool) -> None:
             write_pictures(rooms, out)
             files.write_text(out / "index.html", index_html(rooms))
     if not quiet:
-        click.echo(f"wrote {out / 'index.html'}")
+        wrote(out / "index.html")

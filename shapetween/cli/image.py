@@ -18,7 +18,8 @@ from shapetween.cli.options import (
     out_option,
     report_option,
 )
-from shapetween.cli.values import PATH, Size
+from shapetween.cli.told import warn, wrote
+from shapetween.cli.values import PATH, Real, Size, Whole
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
@@ -64,13 +65,11 @@ DEFAULT_DURATION = 2.0
     "By its ending: .webp, .png or .apng, .gif, .mp4; none: a folder of PNG frames.  "
     "[default: A-to-B.webp]",
 )
-@click.option("--frames", type=click.IntRange(2, MOST_FRAMES), metavar="N", help="How many frames.")
-@click.option(
-    "--fps", type=click.FloatRange(0.01, 240), metavar="N", help="Frames a second.  [default: 30]"
-)
+@click.option("--frames", type=Whole(2, MOST_FRAMES), metavar="N", help="How many frames.")
+@click.option("--fps", type=Real(0.01, 240), metavar="N", help="Frames a second.  [default: 30]")
 @click.option(
     "--duration",
-    type=click.FloatRange(0.01, 3600),
+    type=Real(0.01, 3600),
     metavar="SECONDS",
     help="Length of one way.  [default: 2]",
 )
@@ -92,14 +91,14 @@ DEFAULT_DURATION = 2.0
 @method_option("How quads and meshes move.")
 @click.option(
     "--slip",
-    type=click.FloatRange(0),
+    type=Real(0, 100_000),
     metavar="PIXELS",
     help="How far neighbours may part along a shared side before they are mapped bilinearly.  "
     "[default: 1]",
 )
 @click.option(
     "--max-megapixels",
-    type=click.FloatRange(0.001, 300),
+    type=Real(0.001, 300),
     metavar="N",
     help="Largest picture that is read.  [default: 64]",
 )
@@ -144,6 +143,8 @@ def image(
         given.append(Path(background))
     out = out or Path(f"{a.stem}-to-{b.stem}.webp")
     files.check_outputs([out, *([report] if report else [])], [a, b, *given])
+    if report is not None:
+        files.check_file(report)
     count, fps = _timing(settings["frames"], settings["fps"], settings["duration"])
     easing = easing_function(settings["easing"])
 
@@ -186,11 +187,9 @@ def image(
     if quiet:
         return
     for path, picture in ((a, first), (b, second))[: 1 if first is second else 2]:
-        for warning in picture.warnings:
-            click.echo(f"shapetween: warning: {path}: {warning}", err=True)
-    for warning in (*moving.warnings, *transition.warnings):
-        click.echo(f"shapetween: warning: {warning}", err=True)
-    click.echo(f"wrote {out}")
+        warn(f"{path}: {warning}" for warning in picture.warnings)
+    warn((*moving.warnings, *transition.warnings))
+    wrote(out)
 
 
 def draw_over(
@@ -241,7 +240,7 @@ def draw_over(
         ]
         overlay.write_overlay(out, pictures, faces)
     if not common.quiet:
-        click.echo(f"wrote {out}")
+        wrote(out)
 
 
 def _timing(count: int | None, fps: float | None, duration: float | None) -> tuple[int, float]:

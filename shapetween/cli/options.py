@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 
-from shapetween.cli.values import PATH, Match, Name, Pin
+from shapetween.cli.told import warn, wrote
+from shapetween.cli.values import PATH, Match, Name, Pin, Real, Whole
 from shapetween.errors import MeshError, OptionError
 from shapetween.progress import Progress
 
@@ -24,6 +25,7 @@ __all__ = [
     "A",
     "B",
     "Common",
+    "check_form",
     "common",
     "duration_option",
     "easing_option",
@@ -56,7 +58,7 @@ def duration_option(told: str) -> Option:
     """Seconds, 2 if left out."""
     return click.option(
         "--duration",
-        type=click.FloatRange(0.001, 86_400),
+        type=Real(0.001, 86_400),
         default=2.0,
         show_default=True,
         metavar="SECONDS",
@@ -98,6 +100,24 @@ def report_option(told: str) -> Option:
     return click.option("--report", type=PATH, metavar="FILE.json", help=told)
 
 
+def check_form(path: Path, what: str, endings: Sequence[str]) -> str:
+    """The ending of a file to write, in lower case; a pipe or a device may have any or none.
+
+    Raises
+    ------
+    OptionError
+        If it is none of `endings`, or the path is that of a folder; `what` names what is written.
+    """
+    from shapetween import files
+
+    files.check_file(path)
+    form = path.suffix.lower()
+    if form not in endings and not files.is_device(path):
+        accepted = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        raise OptionError(f"{path}: {what} is written as {accepted}")
+    return form
+
+
 @dataclass(frozen=True, slots=True)
 class Common:
     """The options that every command on drawings takes."""
@@ -109,7 +129,6 @@ class Common:
     matches: tuple[tuple[str, str], ...]
     mesh: Path | None
     fit: str
-    precision: int | None
     report: Path | None
     quiet: bool
     verbose: bool
@@ -168,6 +187,8 @@ class Common:
         from shapetween import files
 
         files.check_outputs([out, *([self.report] if self.report else [])], inputs)
+        if self.report is not None:
+            files.check_file(self.report)
 
     def finish(
         self,
@@ -196,11 +217,10 @@ class Common:
         run.close()
         if self.quiet:
             return
-        for warning in (*result.warnings, *said):
-            click.echo(f"shapetween: warning: {warning}", err=True)
+        warn((*result.warnings, *said))
         if self.verbose:
             click.echo(json.dumps(report, indent=1), err=True)
-        click.echo(f"wrote {out}")
+        wrote(out)
 
     def _for_any_pair(self) -> dict[str, Any]:
         """What serves every pair of a chain alike."""
@@ -220,7 +240,7 @@ _OPTIONS: tuple[Option, ...] = (
     ),
     click.option(
         "--quads",
-        type=click.IntRange(1, 10_000),
+        type=Whole(1, 10_000),
         metavar="N",
         help="About how many quads.  [default: as few as the shapes need]",
     ),
@@ -251,12 +271,6 @@ _OPTIONS: tuple[Option, ...] = (
         show_default=True,
         help="Fit B's view box into A's, B's drawn box into A's, or leave B as it is.",
     ),
-    click.option(
-        "--precision",
-        type=click.IntRange(0, 12),
-        metavar="N",
-        help="Decimals of coordinates.  [default: by the size of the view box]",
-    ),
     report_option("Write how the movement was found, and its figures."),
     QUIET,
     click.option("-v", "--verbose", is_flag=True, help="Say how the movement was found."),
@@ -269,6 +283,8 @@ def common(function: Callable[..., None]) -> Callable[..., None]:
     @functools.wraps(function)
     def gathered(**values: Any) -> None:
         shared = Common(**{field.name: values.pop(field.name) for field in fields(Common)})
+        if shared.quiet and shared.verbose:
+            raise OptionError("--quiet and --verbose: expected one of them at most")
         function(common=shared, **values)
 
     command: Callable[..., None] = gathered

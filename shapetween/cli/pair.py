@@ -1,7 +1,7 @@
 """Commands on drawings: an animated SVG, frames, the mesh."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import click
 
@@ -10,13 +10,14 @@ from shapetween.cli.options import (
     A,
     B,
     Common,
+    check_form,
     common,
     duration_option,
     easing_option,
     loop_option,
     out_option,
 )
-from shapetween.cli.values import PATH, Keyframes, Size
+from shapetween.cli.values import PATH, Keyframes, Real, Size, Whole
 from shapetween.errors import OptionError
 from shapetween.progress import Progress
 
@@ -28,6 +29,12 @@ SIZE = click.option(
     type=Size(),
     metavar="WIDTH[xHEIGHT]",
     help="Of frames as pictures, in pixels.  [default: 800 along the longer side]",
+)
+PRECISION = click.option(
+    "--precision",
+    type=Whole(0, 12),
+    metavar="N",
+    help="Decimals of coordinates in SVG.  [default: by the size of the view box]",
 )
 BACKGROUND = click.option(
     "--background",
@@ -51,7 +58,7 @@ BACKGROUND = click.option(
 @duration_option("Length of one way, from each drawing to the next.")
 @click.option(
     "--hold",
-    type=click.FloatRange(0, 86_400),
+    type=Real(0, 86_400),
     default=0.0,
     show_default=True,
     metavar="SECONDS",
@@ -66,9 +73,10 @@ BACKGROUND = click.option(
     show_default=True,
     help="How many shapes to write; auto takes as many as smooth movement needs.",
 )
+@PRECISION
 @click.option(
     "--fps",
-    type=click.FloatRange(0.01, 240),
+    type=Real(0.01, 240),
     metavar="N",
     help="Moving pictures: frames a second.  [default: 30]",
 )
@@ -81,6 +89,8 @@ def morph(
     more: tuple[Path, ...],
     out: Path | None,
     common: Common,
+    keyframes: int | Literal["auto"],
+    precision: int | None,
     fps: float | None,
     size: tuple[int, ...] | None,
     background: str | None,
@@ -98,10 +108,14 @@ def morph(
     easing_function(settings["easing"])
     drawings = [a, b, *more]
     path = out or Path(f"{_joined(drawings)}.svg")
-    pictures = path.suffix.lower() in PICTURES
-    for name, value in {"--fps": fps, "--size": size, "--background": background}.items():
-        if value is not None and not pictures:
-            raise OptionError(f"{name}: is for moving pictures; expected -o OUT.webp or the like")
+    pictures = check_form(path, "a movement", (".svg", *PICTURES)) in PICTURES
+    if pictures:
+        asked = None if keyframes == "auto" else keyframes
+        for_svg = ("--keyframes", asked), ("--precision", precision)
+        _check_vain("is for SVG; expected -o OUT.svg", *for_svg)
+    else:
+        for_pictures = ("--fps", fps), ("--size", size), ("--background", background)
+        _check_vain("is for moving pictures; expected -o OUT.webp or the like", *for_pictures)
     with Progress(quiet=common.quiet) as run:
         result = common.prepare_all(drawings, path, run, pictures=pictures)
         if pictures:
@@ -110,7 +124,7 @@ def morph(
             common.finish(result, path, written, run, said)
             return
         with run("write"):
-            text = result.svg(precision=common.precision, **settings)
+            text = result.svg(keyframes=keyframes, precision=precision, **settings)
         common.finish(result, path, text, run)
 
 
@@ -122,13 +136,14 @@ def morph(
 @click.option(
     "--frames",
     "count",
-    type=click.IntRange(2, 100_000),
+    type=Whole(2, 100_000),
     default=24,
     show_default=True,
     metavar="N",
     help="How many frames from each drawing to the next, both counted.",
 )
 @easing_option()
+@PRECISION
 @click.option("--png", is_flag=True, help="Write PNG, which keeps patterns and pictures in shapes.")
 @SIZE
 @BACKGROUND
@@ -140,6 +155,7 @@ def frames(
     out: Path | None,
     count: int,
     easing: str,
+    precision: int | None,
     png: bool,
     size: tuple[int, ...] | None,
     background: str | None,
@@ -153,11 +169,19 @@ def frames(
     from shapetween.frames import easing_function
 
     easing_function(easing)
-    for name, value in {"--size": size, "--background": background}.items():
-        if value is not None and not png:
-            raise OptionError(f"{name}: is for frames as pictures; expected --png with it")
+    if png:
+        _check_vain("is for SVG; expected no --png with it", ("--precision", precision))
+    else:
+        for_pictures = ("--size", size), ("--background", background)
+        _check_vain("is for frames as pictures; expected --png with it", *for_pictures)
     drawings = [a, b, *more]
     folder = out or Path(_joined(drawings))
+    a_file = folder.exists() or folder.suffix.lower() in (".svg", *PICTURES)
+    if a_file and not folder.is_dir():
+        raise OptionError(
+            f"{folder}: frames are written into a folder; expected the name of one, or "
+            "'shapetween morph' for one file"
+        )
     with Progress(quiet=common.quiet) as run:
         result = common.prepare_all(drawings, folder, run, pictures=png)
         if png:
@@ -168,7 +192,7 @@ def frames(
         with run("write"):
             from shapetween.svg.sequence import frame_svg
 
-            texts = [frame_svg(frame, common.precision) for frame in result.frames(count, easing)]
+            texts = [frame_svg(frame, precision) for frame in result.frames(count, easing)]
         common.finish(result, folder, texts, run)
 
 
@@ -196,6 +220,11 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
     if over and (b is None) == (a.suffix.lower() == ".json"):
         from shapetween.cli.image import draw_over
 
+        no_use = "changes nothing here; expected no --over with it"
+        vain = ("--match", common.matches), ("--mesh", common.mesh), ("--report", common.report)
+        _check_vain(no_use, *vain)
+        if b is None:
+            _check_vain(no_use, ("--pin", common.pins), ("--quads", common.quads))
         draw_over(a, b, over, out, common)
         return
     if over:
@@ -203,14 +232,19 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
     if b is None:
         raise click.UsageError("Missing argument 'B'.")
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
-    if path.suffix.lower() not in (".svg", ".json"):
-        raise OptionError(f"{path}: a mesh is written as .svg or .json")
+    as_json = check_form(path, "a mesh", (".svg", ".json")) == ".json"
     with Progress(quiet=common.quiet) as run:
         result = common.prepare(a, b, path, run)
         with run("write"):
-            as_json = path.suffix.lower() == ".json"
             text = result.mesh_json() if as_json else result.mesh_svg((a.name, b.name))
         common.finish(result, path, text, run)
+
+
+def _check_vain(reason: str, *options: tuple[str, object]) -> None:
+    """Check that no option has a value, here beside its name, that would change nothing."""
+    for name, value in options:
+        if value not in (None, ()):
+            raise OptionError(f"{name}: {reason}")
 
 
 def _joined(drawings: list[Path]) -> str:

@@ -1,14 +1,56 @@
 """What options take: how a value is read, and how a wrong one is answered."""
 
 import difflib
+import math
 from pathlib import Path
 from typing import Any
 
 import click
 
-__all__ = ["PATH", "Keyframes", "Match", "Name", "Pin", "Size"]
+__all__ = ["MOST_KEYFRAMES", "PATH", "Keyframes", "Match", "Name", "Pin", "Real", "Size", "Whole"]
 
 PATH = click.Path(path_type=Path)
+
+#: `shapetween.svg.smil.MOST_KEYFRAMES`, without importing it.
+MOST_KEYFRAMES = 1000
+
+
+class Real(click.FloatRange):
+    """A number within bounds. What is not a number is in none, which click's own type lets pass."""
+
+    def __init__(self, low: float, high: float) -> None:
+        super().__init__(low, high)
+        self._bounds = low, high
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the number."""
+        low, high = self._bounds
+        try:
+            number = float(value)
+        except ValueError:
+            number = math.nan
+        if not low <= number <= high:
+            self.fail(f"{value!r} is not a number from {low:g} to {high:g}")
+        return number
+
+
+class Whole(click.IntRange):
+    """A whole number within bounds."""
+
+    def __init__(self, low: int, high: int) -> None:
+        super().__init__(low, high)
+        self._bounds = low, high
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Read the number."""
+        low, high = self._bounds
+        try:
+            number = int(value)
+        except ValueError:
+            number = low - 1
+        if not low <= number <= high:
+            self.fail(f"{value!r} is not a whole number from {low} to {high}")
+        return number
 
 
 class Pin(click.ParamType[Any]):
@@ -75,9 +117,13 @@ class Keyframes(click.ParamType[Any]):
         """Read the number."""
         if value == "auto" or isinstance(value, int):
             return value
-        if not (str(value).isdecimal() and int(value) >= 2):
-            self.fail(f"{value!r} is neither 'auto' nor a number of 2 or more")
-        return int(value)
+        try:
+            number = int(value)
+        except ValueError:
+            number = 0
+        if not 2 <= number <= MOST_KEYFRAMES:
+            self.fail(f"{value!r} is neither 'auto' nor a number from 2 to {MOST_KEYFRAMES}")
+        return number
 
 
 class Size(click.ParamType[Any]):
@@ -90,6 +136,6 @@ class Size(click.ParamType[Any]):
         if isinstance(value, tuple):
             return value
         parts = str(value).lower().split("x")
-        if len(parts) > 2 or not all(p.isdecimal() and 0 < int(p) < 100_000 for p in parts):
+        if len(parts) > 2 or not all(p.isdecimal() and len(p) < 6 and int(p) for p in parts):
             self.fail(f"{value!r} is neither WIDTHxHEIGHT, such as 1280x720, nor WIDTH")
         return tuple(int(part) for part in parts)

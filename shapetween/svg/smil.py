@@ -40,6 +40,10 @@ PAINT_STRIDE = 4
 #: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
 MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
 
+#: Most keyframes that may be asked for: sixty a second for a quarter of a minute. Many more are a
+#: slip of the hand, and fill the memory.
+MOST_KEYFRAMES = 1000
+
 #: Curves of all samples that are held at once, and the strides of samples that may be left out for
 #: it: parts of the steps on which keyframes may lie.
 MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
@@ -142,8 +146,8 @@ def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) ->
     """The clock the options ask for, of the first leg."""
     if keyframes == "auto":
         return Clock(Schedule.of(easing), True, timeline)
-    if keyframes < 2:
-        raise OptionError(f"{keyframes} keyframes: expected 'auto' or at least 2")
+    if not 2 <= keyframes <= MOST_KEYFRAMES:
+        raise OptionError(f"{keyframes} keyframes: expected 'auto', or from 2 to {MOST_KEYFRAMES}")
     return Clock(Schedule.of(easing, keyframes), False, timeline)
 
 

@@ -44,6 +44,8 @@ def test_columns_stand_in_any_order_and_rows_may_be_short() -> None:
         ("a,b,quads\nx,y,many\n", "row 2, column quads: invalid literal"),
         ("a,b,out\nx,y,o.png\n", r"row 2, column out: o\.png: expected a name that ends in \.svg"),
         ("a,b,out\nx,y,o.svg\nx,z,o.svg\n", r"row 3, column out: o\.svg is that of row 2"),
+        ("a;b\nx;y\n", "row 1: has semicolons; expected commas"),
+        ("a,b\nx\0,y\n", "null character"),
         ('a,b\nx,y\n"x,y\n', "row 3: not comma-separated values"),
     ],
 )

@@ -89,7 +89,7 @@ def test_a_pair_that_fails(run: Command, table: Path) -> None:
         ("batch in/pairs.csv -o out", "a,b,method\nx,y,arpa\n", "row 2, column method: 'arpa'"),
         ("batch in/pairs.csv -o out", "a,b,pin\nx,y,1:2\n", "row 2, column pin: '1:2' is not"),
         ("batch in/pairs.csv -o out", "a,b,easing\nx,y,swift\n", "row 2, column easing: "),
-        ("batch in/pairs.csv -o out", "a,b,quads\nx,y,0\n", "row 2, column quads: 0 is not"),
+        ("batch in/pairs.csv -o out", "a,b,quads\nx,y,0\n", "row 2, column quads: '0' is not"),
         ("batch in/pairs.csv -o out", "a,b,sped\nx,y,0\n", "row 1, column sped: not known"),
     ],
 )

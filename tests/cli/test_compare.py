@@ -39,7 +39,7 @@ def test_without_the_guard_only_the_methods_are_shown(run: Command) -> None:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("compare a.svg b.svg -o out.png", "written as .html, .svg or .json"),
+        ("compare a.svg b.svg -o out.png", "written as .html, .htm, .svg or .json"),
         ("compare a.svg b.svg --method projectiv", "did you mean projective?"),
         ("compare a.svg missing.svg", "missing.svg"),
         ("compare a.svg b.svg -o a.svg", "is an input"),

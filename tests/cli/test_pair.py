@@ -1,11 +1,15 @@
 """Command lines on a pair of drawings that work: what is written, and what is said."""
 
+import errno
 import json
+import subprocess
+import sys
 from pathlib import Path
 
+import click
 import pytest
 
-from shapetween.cli import options
+from shapetween.cli import options, values
 from tests.cli.commands import Command, svg
 
 
@@ -34,15 +38,15 @@ def test_frames_and_mesh_name_theirs_too(run: Command) -> None:
         "morph a.svg b.svg -o out.svg --pin 1,1:2,2 --pin 9,1:18,2",
         "morph a.svg b.svg --out out.svg --method arap",
         "morph a.svg a.svg -o out.svg",
-        "frames a.svg b.svg -o out.svg --frames 2 --easing cubic-bezier(.2,0,.8,1)",
+        "frames a.svg b.svg -o out --frames 2 --easing cubic-bezier(.2,0,.8,1)",
         "mesh a.svg b.svg -o out.svg",
     ],
 )
 def test_command_lines_that_work(run: Command, line: str) -> None:
     result = run(line)
     assert result.code == 0, result.err
-    assert result.out == "wrote out.svg\n"
-    assert result.made in ({"out.svg"}, {"out.svg/frame_0000.svg", "out.svg/frame_0001.svg"})
+    assert result.out == ("wrote out\n" if line.startswith("frames") else "wrote out.svg\n")
+    assert result.made in ({"out.svg"}, {"out/frame_0000.svg", "out/frame_0001.svg"})
 
 
 def test_the_same_bytes_twice(run: Command, tmp_path: Path) -> None:
@@ -109,7 +113,40 @@ def test_compressed_drawings_are_read(run: Command, tmp_path: Path) -> None:
     assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "two.svg").read_bytes()
 
 
-def test_the_methods_named_here_are_the_methods() -> None:
+def test_what_is_repeated_here_without_importing_it_is_the_same() -> None:
     from shapetween.interpolate import METHODS
+    from shapetween.svg import smil
 
     assert set(options.METHOD_NAMES) == set(METHODS)
+    assert values.MOST_KEYFRAMES == smil.MOST_KEYFRAMES
+
+
+def test_a_drawing_goes_through_a_pipe(tmp_path: Path, run: Command) -> None:
+    """What the shell calls ``shapetween morph a.svg b.svg -o /dev/stdout | less``."""
+    root = str(Path(__file__).resolve().parents[2])
+    line = [sys.executable, "-m", "shapetween", "morph", "a.svg", "b.svg", "-o", "/dev/stdout"]
+    done = subprocess.run(
+        line, cwd=tmp_path, env={"PYTHONPATH": root, "PATH": ""}, capture_output=True, check=True
+    )
+    run("morph a.svg b.svg -o file.svg")
+    assert done.stdout == (tmp_path / "file.svg").read_bytes()
+
+
+def test_a_full_disk_for_the_message_is_no_traceback(
+    monkeypatch: pytest.MonkeyPatch, run: Command
+) -> None:
+    def full(text: str, err: bool = False) -> None:
+        if not err:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        sys.stderr.write(text + "\n")
+
+    monkeypatch.setattr(click, "echo", full)
+    result = run("morph a.svg b.svg -o out.svg")
+    assert (result.code, set(result.made)) == (2, {"out.svg"})
+    assert "out.svg is written, but standard output cannot be" in result.err
+
+
+def test_without_an_error_stream(monkeypatch: pytest.MonkeyPatch, run: Command) -> None:
+    """As in a program with windows that is started without any streams."""
+    monkeypatch.setattr(sys, "stderr", None)
+    assert run("morph a.svg b.svg -o out.svg").code == 0

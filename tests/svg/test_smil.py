@@ -273,7 +273,7 @@ def test_fixed_keyframes_are_even() -> None:
         ({"loop": "forever"}, "expected once, repeat, alternate"),
         ({"hold": -0.1}, "hold -0.1: expected seconds"),
         ({"hold": float("inf")}, "hold inf: expected seconds"),
-        ({"keyframes": 1}, "1 keyframes: expected 'auto' or at least 2"),
+        ({"keyframes": 1}, "1 keyframes: expected 'auto', or from 2 to 1000"),
         ({"easing": "bouncy"}, "easing 'bouncy'"),
         ({"precision": 99}, "precision 99"),
     ],
