@@ -5,20 +5,25 @@ halved or doubled.
 """
 
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
+from shapetween.arrays import Floats, Index, Points
 from shapetween.correspond.features import SEEN_STEP, Features, contexts, describe, unit
 from shapetween.correspond.sampling import SAMPLES, Samples, sample
 from shapetween.correspond.vertices import Vertices, salient_vertices
 from shapetween.outline import Outline
 
 __all__ = [
+    "Cells",
+    "Looks",
     "Prepared",
     "Stations",
+    "all_cells",
     "intrinsic_cost",
     "likeness_of_vertices",
+    "looks",
     "prepare",
     "stations",
     "upright_cost",
@@ -42,7 +47,12 @@ MOST_UNLIKE = 1.5
 #: level side would have any rank from its one end's to its other's.
 RANK_BLUR = 0.1
 
-UPRIGHT = np.array([1.0, 0.0])
+#: Greatest exponent of a rank's exponentials: that of `RANK_BLUR` times 350, from the centroid.
+FAR = 700.0
+
+
+Cells: TypeAlias = tuple[Index, Index]
+"""Pairs of stations of two outlines, of shapes that broadcast."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,6 +110,24 @@ class Stations:
         )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Looks:
+    """What the comparison as drawn sees of stations.
+
+    Attributes
+    ----------
+    turns, spread, ranks : (2, n) float64
+    tangents : (n, 2) float64
+    around : (n, k) float64
+    """
+
+    turns: Floats
+    spread: Floats
+    ranks: Floats
+    tangents: Points
+    around: Floats
+
+
 def prepare(outline: Outline) -> Prepared:
     """Sample and describe an outline."""
     samples = sample(outline)
@@ -114,60 +142,88 @@ def stations(prepared: Prepared, places: Floats) -> Stations:
     share = index - low
     first = low.astype(np.intp) % SAMPLES
     second = (first + 1) % SAMPLES
-
-    def read(values: Floats) -> Floats:
-        return values[..., first] * (1 - share) + values[..., second] * share
-
+    rows = np.concatenate(
+        [
+            points.T,
+            features.tangents.T,
+            features.apexes.T,
+            features.inside[None],
+            features.outside[None],
+            features.turns,
+        ]
+    )
+    read = rows[:, first] * (1 - share) + rows[:, second] * share
     return Stations(
-        points=read(points.T).T,
-        tangents=unit(read(features.tangents.T).T),
-        apexes=read(features.apexes.T).T,
-        turns=read(features.turns),
-        inside=read(features.inside),
-        outside=read(features.outside),
+        points=read[:2].T,
+        tangents=unit(read[2:4].T),
+        apexes=read[4:6].T,
+        inside=read[6],
+        outside=read[7],
+        turns=read[8:],
         seen=points[::SEEN_STEP],
     )
 
 
-def intrinsic_cost(a: Stations, b: Stations) -> Floats:
-    """Unlikeness that no turning of either outline changes, (n, m), from 0 to 1."""
-    turns = _square_gaps(a.turns, b.turns) / len(a.turns)
-    around = 1 - contexts(a.points, a.seen, a.tangents) @ contexts(b.points, b.seen, b.tangents).T
-    inside = _square_gaps(_log_radius(a.inside), _log_radius(b.inside))
-    outside = _square_gaps(_log_radius(a.outside), _log_radius(b.outside))
-    return _saturated(0.5 * turns + 2 * around + 0.2 * (0.5 * inside + 0.25 * outside))
+def looks(stations: Stations) -> Looks:
+    """What the comparison as drawn sees of stations."""
+    return Looks(
+        turns=stations.turns[3:],
+        spread=_even_spread(stations).T,
+        ranks=_ranks(stations),
+        tangents=stations.tangents,
+        around=contexts(stations.points, stations.seen),
+    )
 
 
-def upright_cost(a: Stations, b: Stations) -> Floats:
-    """Unlikeness in the frame as drawn, (n, m), from 0 to `MOST_UNLIKE`.
+def intrinsic_cost(a: Stations, b: Stations, cells: Cells) -> Floats:
+    """Unlikeness of pairs of stations that no turning of either outline changes, from 0 to 1."""
+    turns = _square_gaps(a.turns, b.turns, cells) / len(a.turns)
+    around = contexts(a.points, a.seen, a.tangents), contexts(b.points, b.seen, b.tangents)
+    inside = _square_gaps(_log_radius(a.inside), _log_radius(b.inside), cells)
+    outside = _square_gaps(_log_radius(a.outside), _log_radius(b.outside), cells)
+    thick = 0.2 * (0.5 * inside + 0.25 * outside)
+    return _saturated(0.5 * turns + 2 * _unlikeness(*around, cells) + thick)
+
+
+def upright_cost(a: Looks, b: Looks, cells: Cells) -> Floats:
+    """Unlikeness of pairs of stations in the frame as drawn, from 0 to `MOST_UNLIKE`.
 
     Positions count twice: in roots of the area, and by rank. By rank feet stand on the ground in a
     tall shape as in a low one, so height counts more than side.
     """
-    turns = _square_gaps(a.turns[3:], b.turns[3:])
-    away = _square_gaps(_even_spread(a).T, _even_spread(b).T)
-    ranks = _square_gaps(_ranks(a), _ranks(b))
-    askew = 1 - a.tangents @ b.tangents.T
-    around = _unlike_surroundings(a, b)
+    turns = _square_gaps(a.turns, b.turns, cells)
+    away = _square_gaps(a.spread, b.spread, cells)
+    ranks = _square_gaps(a.ranks, b.ranks, cells)
+    askew = _unlikeness(a.tangents, b.tangents, cells)
+    around = _unlikeness(a.around, b.around, cells)
     return _saturated(0.6 * turns + 0.25 * (away + ranks + askew) + around, MOST_UNLIKE)
 
 
 def likeness_of_vertices(a: Stations, b: Stations) -> Floats:
     """Likeness of salient vertices in the frame as drawn, (n, m): from 0, strangers, to 1."""
-    away = _square_gaps(_even_spread(a).T, _even_spread(b).T)
-    cost = _saturated(
-        0.6 * away + 0.5 * (1 - a.apexes @ b.apexes.T) + 0.8 * _unlike_surroundings(a, b)
-    )
+    cells = all_cells(len(a.points), len(b.points))
+    away = _square_gaps(_even_spread(a).T, _even_spread(b).T, cells)
+    around = contexts(a.points, a.seen), contexts(b.points, b.seen)
+    askew = _unlikeness(a.apexes, b.apexes, cells)
+    cost = _saturated(0.6 * away + 0.5 * askew + 0.8 * _unlikeness(*around, cells))
     return np.maximum(1 - cost / STRANGERS, 0.0)
 
 
-def _unlike_surroundings(a: Stations, b: Stations) -> Floats:
-    return 1 - contexts(a.points, a.seen, UPRIGHT) @ contexts(b.points, b.seen, UPRIGHT).T
+def all_cells(rows: int, columns: int) -> Cells:
+    """Every pair of stations, to be broadcast."""
+    return np.arange(rows)[:, None], np.arange(columns)[None]
 
 
-def _square_gaps(a: Floats, b: Floats) -> Floats:
-    """Sum over rows of the squared differences of all pairs: (k, n) and (k, m) to (n, m)."""
-    return np.asarray(((a[:, :, None] - b[:, None, :]) ** 2).sum(axis=0))
+def _square_gaps(a: Floats, b: Floats, cells: Cells) -> Floats:
+    """Sum over rows of the squared differences of pairs of columns: (k, n) and (k, m)."""
+    gap = a[:, cells[0]] - b[:, cells[1]]
+    np.multiply(gap, gap, out=gap)
+    return np.asarray(gap.sum(axis=0))
+
+
+def _unlikeness(a: Floats, b: Floats, cells: Cells) -> Floats:
+    """How far the products of pairs of unit vectors, (n, k) and (m, k), fall short of 1."""
+    return np.asarray(1 - (a @ b.T)[cells])
 
 
 def _log_radius(radius: Floats) -> Floats:
@@ -187,7 +243,16 @@ def _even_spread(stations: Stations) -> Points:
 
 
 def _ranks(stations: Stations) -> Floats:
-    """Rank of the coordinates among all seen, from -1 to 1, height weighted double; (2, n)."""
-    gap = stations.points[:, None] - stations.seen
-    x, y = np.tanh(gap / RANK_BLUR).mean(axis=1).T
+    """Rank of the coordinates among all seen, from -1 to 1, height weighted double; (2, n).
+
+    The mean of the hyperbolic tangents of the gaps over `RANK_BLUR`; tanh(x - y) is
+    1 - 2 / (1 + exp(2 x) exp(-2 y)).
+    """
+    # So far out two points are told apart by where they are; the exponentials stay finite.
+    points = np.concatenate([stations.points, stations.seen]).T
+    here, seen = np.split(np.clip(points * (2 / RANK_BLUR), -FAR, FAR), [len(stations.points)], 1)
+    table = np.exp(here)[:, :, None] * np.exp(-seen)[:, None]
+    table += 1
+    np.divide(2, table, out=table)
+    x, y = 1 - table.mean(axis=2)
     return np.stack([x, np.sqrt(2) * y])

@@ -1,41 +1,16 @@
 """The cheapest strictly monotone path through a table of costs.
 
-Every move goes forward in both directions, so one row of the table is one array operation over
-all starts and columns.
+Every move goes forward in both directions, so one row of the table is filled at once, over all
+starts and columns.
 """
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from shapetween.arrays import Floats, Index
+from shapetween.correspond.moves import MOVES, REACH, move_prices, steps_over, tilt
 
 __all__ = ["Paths", "cyclic_paths", "open_path"]
-
-#: Steps along (source, target), in stations. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
-#: slope of 1.5 be even.
-MOVES = (
-    (1, 1),
-    (1, 2),
-    (2, 1),
-    (2, 3),
-    (3, 2),
-    (1, 3),
-    (3, 1),
-    (1, 5),
-    (5, 1),
-    (1, 8),
-    (8, 1),
-)
-
-#: Longest step of a move.
-REACH = max(map(max, MOVES))
-
-#: Price of every station by which a move favours one outline; less invites needless slips.
-SKEW_PRICE = 0.1
-
-#: A slight tilt of the costs by cell number, in which no two paths are equal: symmetric shapes and
-#: straight sides have equally cheap paths, between which rounding must not choose.
-TILT = 1e-8
 
 
 class Paths:
@@ -49,39 +24,43 @@ class Paths:
         Cost of each path a row.
     """
 
-    def __init__(self, prices: Floats, starts: Index, width: int) -> None:
+    def __init__(self, prices: Floats, rows: int, starts: Index, width: int) -> None:
         """Run the table.
 
         Parameters
         ----------
-        prices : (M, rows + 1, columns) float64
-            Price of each of `MOVES` where it ends.
+        prices : (M, n, n) float64
+            Price of each of `MOVES` where it ends; rows and columns go round and round.
+        rows : int
+            Rows of a path, at most n.
         starts : (S,) intp
         width : int
             Columns of a path; it ends in column ``start + width`` of the last row.
         """
-        rows = prices.shape[1] - 1
         self.starts = starts
-        self._windows = sliding_window_view(prices, width + 1, axis=2)
+        columns = np.arange(int(starts.max()) + width + 1) % prices.shape[2]
+        self._windows = sliding_window_view(prices[:, :, columns], width + 1, axis=2)
         # Rows and columns of no path before the first ones, so that all moves may be looked up.
-        table = np.full((REACH + rows + 1, len(starts), REACH + width + 1), np.inf)
-        table[REACH, :, REACH] = 0.0
-        self._table = table[REACH:, :, REACH:]
-        run = _run_one if len(starts) == 1 else _run_many
-        run(table, self._windows[:, :, _as_slice(starts)])
-        self.costs = self._table[rows, :, width] / rows
+        # The starts come last: then what a move looks up in a row is one run of numbers.
+        table = np.full((REACH + rows + 1, REACH + width + 1, len(starts)), np.inf)
+        table[REACH, REACH] = 0.0
+        _run(table, self._windows[:, :, _as_slice(starts)].transpose(1, 0, 3, 2))
+        self._table = table[REACH:, REACH:]
+        self.costs = self._table[rows, width] / rows
 
     def trace(self, which: int) -> tuple[Index, Index]:
         """Nodes of the path from ``starts[which]``: rows and columns, both from 0."""
-        table = self._table[:, which]
-        i, j = table.shape[0] - 1, table.shape[1] - 1
+        # Numbers are looked up one by one: quicker through a memoryview.
+        table = self._table[:, :, which].data
+        prices = self._windows[:, :, self.starts[which]].data
+        count = self._windows.shape[1]
+        i, j = self._table.shape[0] - 1, self._table.shape[1] - 1
         nodes = [(i, j)]
         while i > 0:
             for move, (di, dj) in enumerate(MOVES):
                 if di > i or dj > j:
                     continue
-                price = self._windows[move, i, self.starts[which], j]
-                if table[i - di, j - dj] + price == table[i, j]:
+                if table[i - di, j - dj] + prices[move, i % count, j] == table[i, j]:
                     i, j = i - di, j - dj
                     break
             else:
@@ -91,27 +70,18 @@ class Paths:
         return rows, columns
 
 
-def _run_many(table: Floats, windows: Floats) -> None:
-    """Fill the table for many starts: an array operation for each row and move."""
-    rows, _, width = (n - REACH for n in table.shape)
-    reached = np.zeros((table.shape[1], width))
-    for i in range(1, rows):
-        row = table[REACH + i, :, REACH:]
-        for (di, dj), price in zip(MOVES, windows[:, i], strict=True):
-            before = table[REACH + i - di, :, REACH - dj : REACH - dj + width]
-            np.add(before, price, out=reached)
-            np.minimum(row, reached, out=row)
-
-
-def _run_one(table: Floats, windows: Floats) -> None:
-    """Fill the table for one start: all moves at once, for the rows are short."""
-    rows, _, width = (n - REACH for n in table.shape)
-    steps = np.array([[di * table.shape[2] + dj] for di, dj in MOVES])
-    flat = table.reshape(-1)
-    where = (REACH * table.shape[2] + REACH + np.arange(width)) - steps
-    for i in range(1, rows):
-        reached = flat[where + i * table.shape[2]] + windows[:, i, 0]
-        table[REACH + i, 0, REACH:] = reached.min(axis=0)
+def _run(table: Floats, prices: Floats) -> None:
+    """Fill the table, (R + rows + 1, R + columns, S), from the prices, (n, M, columns, S)."""
+    starts = table.shape[2]
+    flat = table.reshape(len(table), -1)
+    reached = np.zeros(prices.shape[1:])
+    lines = reached.reshape(len(MOVES), -1)
+    for i in range(1, len(table) - REACH):
+        np.copyto(reached, prices[i % len(prices)])
+        for (di, dj), line in zip(MOVES, lines, strict=True):
+            first = (REACH - dj) * starts
+            np.add(line, flat[REACH + i - di, first : first + len(line)], out=line)
+        np.minimum.reduce(lines, axis=0, out=flat[REACH + i, REACH * starts :])
 
 
 def _as_slice(starts: Index) -> Index | slice:
@@ -140,16 +110,11 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
     """
     count = len(cost)
     station = np.arange(count)
-    tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
-    # The second ring goes on for as long as the last start's path.
-    rows, columns = np.arange(count + 1) % count, np.arange(int(starts.max()) + count + 1) % count
-    prices = _prices(_barred(cost + tilt, fixed), len(rows), len(columns))
-    prices -= reward[np.ix_(rows, columns)]
-    for (di, dj), price in zip(MOVES, prices, strict=True):
-        # No move may step over a fixed station of either ring.
-        price[np.isin(rows, (fixed[:, None] + np.arange(1, di)) % count)] = np.inf
-        price[:, np.isin(columns, (fixed[:, None] + np.arange(1, dj)) % count)] = np.inf
-    return Paths(prices, starts, count)
+    rows, columns = station[:, None], station
+    prices = _prices(_barred(cost + tilt(rows, columns), fixed)) - reward
+    if len(fixed):
+        prices[steps_over(rows, columns, fixed, count)] = np.inf
+    return Paths(prices, count, starts, count)
 
 
 def _barred(cost: Floats, fixed: Index) -> Floats:
@@ -160,22 +125,12 @@ def _barred(cost: Floats, fixed: Index) -> Floats:
     return barred
 
 
-def _prices(cost: Floats, rows: int, columns: int) -> Floats:
-    """Price of each move where it ends: the mean cost on its way times its length, and skew.
-
-    Both ways round and round again the costs, (n, n) to (M, rows, columns).
-    """
+def _prices(cost: Floats) -> Floats:
+    """Price of each move round and round the costs, (n, n) to (M, n, n)."""
     count = len(cost)
-    around = cost[np.ix_(np.arange(-REACH, rows) % count, np.arange(-REACH, columns) % count)]
-    prices = np.zeros((len(MOVES), rows, columns))
-    for (di, dj), price in zip(MOVES, prices, strict=True):
-        steps = max(di, dj)
-        for q in range(steps):
-            i, j = REACH - q * di // steps, REACH - q * dj // steps
-            price += around[i : i + rows, j : j + columns]
-        price *= (di + dj) / 2 / steps
-        price += SKEW_PRICE * abs(di - dj)
-    return prices
+    around = np.arange(-REACH, count) % count
+    cells = np.arange(REACH, REACH + count)
+    return move_prices(cost[np.ix_(around, around)], cells[:, None] * len(around) + cells)
 
 
 def open_path(cost: Floats) -> tuple[Index, Index]:
@@ -190,8 +145,6 @@ def open_path(cost: Floats) -> tuple[Index, Index]:
     rows, columns : (K,) intp
         Stations that are matched, both strictly increasing, from 0 to n - 1.
     """
-    count = len(cost)
-    station = np.arange(count)
-    tilt = TILT * ((37 * station[:, None] + 61 * station) % 101)
-    paths = Paths(_prices(cost + tilt, count, count), np.zeros(1, dtype=np.intp), count - 1)
-    return paths.trace(0)
+    station = np.arange(len(cost))
+    prices = _prices(cost + tilt(station[:, None], station))
+    return Paths(prices, len(cost) - 1, np.zeros(1, dtype=np.intp), len(cost) - 1).trace(0)

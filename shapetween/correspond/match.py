@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from shapetween.arrays import Floats, Index
+from shapetween.correspond.band import band_path
 from shapetween.correspond.correspondence import Confidence, Correspondence
 from shapetween.correspond.costs import (
+    Cells,
     Prepared,
+    all_cells,
     intrinsic_cost,
     likeness_of_vertices,
+    looks,
     prepare,
     stations,
     upright_cost,
@@ -136,22 +140,26 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
 def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     pins = pins[np.argsort(pins[:, 0])]
     layout = _layout(a, b, pins, STATIONS)
-    intrinsic = intrinsic_cost(stations(a, layout.a), stations(b, layout.b))
+    cells = all_cells(len(layout.a), len(layout.b))
+    intrinsic = intrinsic_cost(stations(a, layout.a), stations(b, layout.b), cells)
     paths = cyclic_paths(intrinsic, np.zeros_like(intrinsic), layout.fixed, layout.starts)
     turn = _turn_between(a, b, _distinct(paths, layout, 1, 0.0)[0])
     # Rewards not earned count as costs, so that the costs of two frames have a ratio.
     unrewarded = VERTEX_REWARD * len(a.vertices.index)
     ranked: list[tuple[float, Candidate]] = []
-    for angle in [0.0] if abs(turn) < MIN_TURN else [0.0, turn]:
-        cost = _cost(a, b, layout, angle, pins)
-        reward = _vertex_rewards(a, b, layout, angle)
-        paths = cyclic_paths(cost, reward, layout.fixed, layout.starts)
+    worths = {0.0: _worth_of_vertices(a, b, 0.0)}
+    if abs(turn) >= MIN_TURN:
+        worths[turn] = _worth_of_vertices(a, b, turn)
+    for angle, worth in worths.items():
+        cost = _cost(a, b, layout, angle, pins, cells)
+        paths = cyclic_paths(cost, _rewards(worth, layout), layout.fixed, layout.starts)
         handicap = 1.0 if angle == 0 else 1 / FRAME_RATIO
         found = _distinct(paths, layout, PER_FRAME, angle)
         ranked += [((c.cost + unrewarded) * handicap, c) for c in found]
     ranked.sort(key=lambda entry: entry[0])
     costs = [cost for cost, _ in ranked] + [np.inf]
-    ranked[0] = costs[0], _refined(a, b, ranked[0][1], pins)
+    chosen = ranked[0][1]
+    ranked[0] = costs[0], _refined(a, b, chosen, worths[chosen.turn], pins)
     made = [_finished(a, b, candidate, cost) for cost, candidate in ranked]
     best = made[0]
     return Correspondence(
@@ -213,27 +221,29 @@ def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats
     return places, nearest
 
 
-def _cost(a: Prepared, b: Prepared, layout: Layout, angle: float, pins: Floats) -> Floats:
-    """Costs of all pairs of stations in one frame, (n, n)."""
+def _cost(
+    a: Prepared, b: Prepared, layout: Layout, angle: float, pins: Floats, cells: Cells
+) -> Floats:
+    """Costs of pairs of stations in one frame."""
     first, second = stations(a, layout.a), stations(b, layout.b)
-    cost = upright_cost(first.turned(angle), second)
+    cost = upright_cost(looks(first.turned(angle)), looks(second), cells)
     if len(pins) == 0:
         return cost
-    sway, astray = _pull(layout, pins)
-    pulled = (intrinsic_cost(first, second) + astray) / 2
+    sway, astray = _pull(layout, pins, cells)
+    pulled = (intrinsic_cost(first, second, cells) + astray) / 2
     return sway * pulled + (1 - sway) * cost
 
 
-def _pull(layout: Layout, pins: Floats) -> tuple[Floats, Floats]:
+def _pull(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:
     """How much each pair of stations is under the sway of a pin, and how far it strays from it.
 
-    Both (n, n), from 0 to 1. A pair strays when its stations are not equally far along both
-    outlines from the pin.
+    Both from 0 to 1. A pair strays when its stations are not equally far along both outlines from
+    the pin.
     """
     a, b = layout.a[:, None] - pins[:, 0], layout.b[:, None] - pins[:, 1]
     a, b = (a - np.round(a)) / PIN_REACH, (b - np.round(b)) / PIN_REACH
-    near = np.maximum(1 - np.minimum(np.abs(a)[:, None], np.abs(b)), 0.0)
-    astray = np.minimum(np.abs(a[:, None] - b), 1.0)
+    near = np.maximum(1 - np.minimum(np.abs(a)[cells[0]], np.abs(b)[cells[1]]), 0.0)
+    astray = np.minimum(np.abs(a[cells[0]] - b[cells[1]]), 1.0)
     strongest = near.argmax(axis=-1)[..., None]
     return (
         np.take_along_axis(near, strongest, axis=-1)[..., 0],
@@ -241,15 +251,19 @@ def _pull(layout: Layout, pins: Floats) -> tuple[Floats, Floats]:
     )
 
 
-def _vertex_rewards(a: Prepared, b: Prepared, layout: Layout, angle: float) -> Floats:
-    """What a path earns in each cell by matching salient vertices, (n, n)."""
+def _worth_of_vertices(a: Prepared, b: Prepared, angle: float) -> Floats:
+    """What matching salient vertices is worth in one frame, (K, K): weight times likeness."""
     count = len(a.samples.points)
     first, second = (stations(p, p.vertices.index / count) for p in (a, b))
     weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
     alike = a.vertices.convex[:, None] == b.vertices.convex
+    return np.asarray(weight * alike * likeness_of_vertices(first.turned(angle), second))
+
+
+def _rewards(worth: Floats, layout: Layout) -> Floats:
+    """What a path earns in each cell by matching salient vertices, (n, n)."""
     reward = np.zeros((len(layout.a), len(layout.b)))
-    price = VERTEX_REWARD * len(layout.a)
-    earned = price * weight * alike * likeness_of_vertices(first.turned(angle), second)
+    earned = VERTEX_REWARD * len(layout.a) * worth
     np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
     return reward
 
@@ -263,8 +277,7 @@ def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
 def _distinct(paths: Paths, layout: Layout, count: int, turn: float) -> list[Candidate]:
     """The cheapest paths that are different matchings, at most `count`."""
     kept: list[Candidate] = []
-    around_a = np.append(layout.a, layout.a[0] + 1)
-    around_b = np.concatenate([layout.b, layout.b + 1, layout.b[:1] + 2])
+    around_a, around_b = _around(layout)
     for which in np.argsort(paths.costs, kind="stable"):
         if not np.isfinite(paths.costs[which]):
             break
@@ -282,6 +295,12 @@ def _distinct(paths: Paths, layout: Layout, count: int, turn: float) -> list[Can
     return kept
 
 
+def _around(layout: Layout) -> tuple[Floats, Floats]:
+    """Places of the stations once round the first outline, and twice round the second."""
+    once = np.append(layout.a, layout.a[0] + 1)
+    return once, np.concatenate([layout.b, layout.b + 1, layout.b[:1] + 2])
+
+
 def _apart(first: Candidate, second: Candidate) -> float:
     """Mean distance of two matchings, as a share of the second outline's length."""
     gap = first.b - _follow(second.a, second.b, first.a)
@@ -296,7 +315,9 @@ def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
     return np.asarray(np.interp(at - whole, knots, values) + whole)
 
 
-def _refined(a: Prepared, b: Prepared, candidate: Candidate, pins: Floats) -> Candidate:
+def _refined(
+    a: Prepared, b: Prepared, candidate: Candidate, worth: Floats, pins: Floats
+) -> Candidate:
     """The matching found again with more stations, near where it was.
 
     Near along either outline: a tip beside its like may cross a stretch that the candidate passed
@@ -310,16 +331,18 @@ def _refined(a: Prepared, b: Prepared, candidate: Candidate, pins: Floats) -> Ca
         middle = best.a[0] + cut
         kept = np.array([[middle, _follow(best.a, best.b, np.array([middle]))[0]]])
         layout = _layout(a, b, pins if len(pins) else kept, FINE_STATIONS)
-        cost = _cost(a, b, layout, candidate.turn, pins)
         across = _follow(best.a, best.b, layout.a)[:, None] - layout.b
         along = layout.a[:, None] - _follow(best.b, best.a, layout.b)
         away = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
-        cost[away > BAND] = np.inf
-        reward = _vertex_rewards(a, b, layout, candidate.turn)
-        paths = cyclic_paths(cost, reward, layout.fixed, layout.starts)
-        if not np.isfinite(paths.costs[0]):
+        near = away <= BAND
+        rows, columns = np.nonzero(near)
+        cost = _cost(a, b, layout, candidate.turn, pins, (rows, columns))
+        reward = _rewards(worth, layout)[near]
+        path = band_path((rows, columns), cost, reward, layout.fixed, len(layout.a))
+        if path is None:
             break
-        best = _distinct(paths, layout, 1, candidate.turn)[0]
+        knots = _around(layout)
+        best = replace(best, a=knots[0][path[0]], b=knots[1][path[1]])
     return best
 
 

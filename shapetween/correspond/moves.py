@@ -1,0 +1,94 @@
+"""The moves a path through a table of costs is made of, and what each of them costs."""
+
+import numpy as np
+
+from shapetween.arrays import Floats, Index, Mask
+
+__all__ = ["MOVES", "REACH", "move_prices", "steps_over", "tilt"]
+
+#: Steps along (source, target), in stations. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
+#: slope of 1.5 be even.
+MOVES = (
+    (1, 1),
+    (1, 2),
+    (2, 1),
+    (2, 3),
+    (3, 2),
+    (1, 3),
+    (3, 1),
+    (1, 5),
+    (5, 1),
+    (1, 8),
+    (8, 1),
+)
+
+#: Longest step of a move.
+REACH = max(map(max, MOVES))
+
+#: Cells each move passes, as steps back from where it ends; where it starts is not among them.
+WAYS = tuple(
+    tuple((q * di // max(di, dj), q * dj // max(di, dj)) for q in range(max(di, dj)))
+    for di, dj in MOVES
+)
+
+#: Price of every station by which a move favours one outline; less invites needless slips.
+SKEW_PRICE = 0.1
+
+#: A slight tilt of the costs by cell number, in which no two paths are equal: symmetric shapes and
+#: straight sides have equally cheap paths, between which rounding must not choose.
+TILT = 1e-8
+
+
+def tilt(rows: Index, columns: Index) -> Floats:
+    """What the costs of cells are tilted by."""
+    return np.asarray(TILT * ((37 * rows + 61 * columns) % 101), dtype=np.float64)
+
+
+def move_prices(around: Floats, cells: Index) -> Floats:
+    """Price of each move where it ends: the mean cost on its way times its length, and skew.
+
+    Parameters
+    ----------
+    around : (r, c) float64
+        Costs, with `REACH` rows and columns before the first cells.
+    cells : (...) intp
+        Where the moves end, counted by rows.
+
+    Returns
+    -------
+    (M, ...) float64
+    """
+    flat, row = around.ravel(), around.shape[1]
+    prices = np.zeros((len(MOVES), *cells.shape))
+    # Ways that begin alike share the sums.
+    sums: dict[tuple[tuple[int, int], ...], Floats] = {}
+    for (di, dj), way, price in zip(MOVES, WAYS, prices, strict=True):
+        for k, (i, j) in enumerate(way):
+            if way[: k + 1] not in sums:
+                cost = flat[cells - (i * row + j)]
+                sums[way[: k + 1]] = sums[way[:k]] + cost if k else cost
+        np.multiply(sums[way], (di + dj) / 2 / len(way), out=price)
+        price += SKEW_PRICE * abs(di - dj)
+    return prices
+
+
+def steps_over(rows: Index, columns: Index, fixed: Index, count: int) -> Mask:
+    """Which moves step over a fixed station of either ring.
+
+    Parameters
+    ----------
+    rows, columns : (...) intp
+        Stations where the moves end, of shapes that broadcast.
+    fixed : (k,) intp
+    count : int
+        Stations of a ring.
+
+    Returns
+    -------
+    (M, ...) bool
+    """
+    over = np.zeros((REACH + 1, count), dtype=bool)  # by length of the step and where it ends
+    for length in range(2, REACH + 1):
+        over[length] = over[length - 1]
+        over[length, (fixed + length - 1) % count] = True
+    return np.stack([over[di][rows] | over[dj][columns] for di, dj in MOVES])
