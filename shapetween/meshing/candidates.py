@@ -145,7 +145,8 @@ def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
     tangent = tangent[:, nodes]
     size = np.sqrt((tangent**2).sum(-1))
     tangent = tangent / np.where(size > 0, size, 1.0)[..., None]
-    x, y = np.moveaxis(points[:, None] - points[:, nodes, None], -1, 0)  # each (2, n, N)
+    # From each node to all samples, x and y alone, (2, n, N).
+    x, y = (place[:, None] - place[:, nodes, None] for place in np.moveaxis(points, -1, 0))
     inward = tangent[:, :, :1] * y - tangent[:, :, 1:] * x
     square = x * x + y * y
     ahead = inward > 1e-6 * np.sqrt(square)

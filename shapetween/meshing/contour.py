@@ -184,14 +184,15 @@ def _inward(ring: Points, nodes: Index, leaning: float) -> Mask:
     They may lean outwards over a side by an angle of this sine.
     """
     here = ring[nodes]
-    towards = here[None] - here[:, None]
+    x, y = (here[:, axis] - here[:, axis, None] for axis in (0, 1))  # towards each, (n, n)
     on = ring[(nodes + 1) % len(ring)] - here
     back = ring[nodes - 1] - here
-    left, right = cross(on[:, None], towards), cross(towards, back[:, None])
+    left = on[:, :1] * y - on[:, 1:] * x
+    right = x * back[:, 1:] - y * back[:, :1]
     if leaning:
-        size = np.sqrt(towards[..., 0] ** 2 + towards[..., 1] ** 2)
-        left += leaning * np.hypot(on[:, 0], on[:, 1])[:, None] * size
-        right += leaning * np.hypot(back[:, 0], back[:, 1])[:, None] * size
+        size = np.sqrt(x * x + y * y)
+        left += leaning * np.hypot(on[:, :1], on[:, 1:]) * size
+        right += leaning * np.hypot(back[:, :1], back[:, 1:]) * size
     convex = cross(on, back)[:, None] >= 0
     both, either = np.minimum(left, right), np.maximum(left, right)
     return np.asarray(np.where(convex, both, either) >= 0)
@@ -211,10 +212,13 @@ def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
     found = []
     for first in range(0, max(len(i), 1), AT_ONCE):
         some = slice(first, first + AT_ONCE)
-        beyond = product[j[some]] - product[i[some]] >= least[some, None]
-        hit = before[i[some]] != before[j[some]]
-        hit[:, :-1] &= beyond[:, 1:] != beyond[:, :-1]
-        hit[:, -1] &= beyond[:, 0] != beyond[:, -1]
+        off = product.take(j[some], axis=0)
+        off -= product.take(i[some], axis=0)
+        beyond = off >= least[some, None]
+        hit = before.take(i[some], axis=0)
+        hit ^= before.take(j[some], axis=0)
+        hit[:, :-1] &= beyond[:, 1:] ^ beyond[:, :-1]
+        hit[:, -1] &= beyond[:, 0] ^ beyond[:, -1]
         found.append(np.flatnonzero(hit) + first * count)  # quicker than along two axes
     chord, segment = np.divmod(np.concatenate(found), count)
     following = (segment + 1) % count

@@ -76,11 +76,12 @@ def face_figures(corners: Points) -> FaceFigures:
     leaving = following - z
     product = np.concatenate([leaving[-1:], leaving[:-1]]).conj() * leaving
     turns, size = product.imag, abs(product)
-    sine = (turns / np.where(size > 0, size, 1.0)).min(axis=(0, 1))
+    sine = (turns / np.maximum(size, np.finfo(float).tiny)).min(axis=(0, 1))
 
     convex = sine > 0
-    w = np.where(convex, turns[:, 1], 1.0) / np.where(convex, turns[:, 0], 1.0)
-    perspective = np.where(convex, w.max(axis=0) / w.min(axis=0), np.inf)
+    w = turns[:, 1] / np.where(convex, turns[:, 0], 1.0)
+    low = np.where(convex, w.min(axis=0), 1.0)
+    perspective = np.where(convex, w.max(axis=0) / low, np.inf)
 
     area = (z.conj() * following).imag.sum(axis=(0, 1)) / 4
     spread = (z.real**2 + z.imag**2).sum(axis=(0, 1))

@@ -122,10 +122,18 @@ def _halves(piece: list[int], i: int, j: int) -> list[list[int]]:
 
 def _joined(rings: Points, pieces: list[list[int]]) -> Faces:
     """Mesh every piece of a polygon and put the faces together."""
+    fours = [piece for piece in pieces if len(piece) == 4]
+    sines = face_figures(rings[:, np.array(fours, dtype=np.intp).reshape(-1, 4)]).sine.tolist()
     points = rings
     quads: list[list[int]] = []
     triangles: list[list[int]] = []
     for piece in pieces:
+        if len(piece) == 3:
+            triangles.append(piece)
+            continue
+        if len(piece) == 4 and sines.pop(0) > MIN_CORNER_SINE:
+            quads.append(piece)
+            continue
         faces = mesh_polygon(rings[:, piece])
         extra = faces.points[:, len(piece) :]
         names = np.array(piece + list(range(points.shape[1], points.shape[1] + extra.shape[1])))
@@ -145,13 +153,9 @@ def mesh_polygon(rings: Points) -> Faces:
     Parameters
     ----------
     rings : (2, n, 2) float64
-        Simple polygons, clockwise as drawn.
+        Simple polygons of at least 4 corners, clockwise as drawn.
     """
     count = rings.shape[1]
-    if count == 3:
-        return Faces(rings, np.zeros((0, 4), np.intp), np.array([[0, 1, 2]]))
-    if count == 4 and face_figures(rings).sine > MIN_CORNER_SINE:
-        return Faces(rings, np.array([[0, 1, 2, 3]]), np.zeros((0, 3), np.intp))
     inside = inner_diagonals(rings[0]) & inner_diagonals(rings[1])
     if inside.any():
         found = _dissected(rings, inside)

@@ -73,12 +73,16 @@ class Links:
     rank : (n,) intp
         How important each is; 0 the most.
     points : (2, n, 2) float64
-    waste : (2, n, n) float64
-        What a side between two candidates ``i < j`` wastes of each shape; infinite elsewhere.
-    closing : (2, n) float64
-        What a side from the last candidate round to each one wastes.
-    outside : (2, n, n) float64
-        Length of the chord outside each shape; infinite where plainly `most` or more.
+    sides : (n, n) float64
+        Price of a side between two candidates ``i < j``; infinite elsewhere.
+    waste : (n, n) float64
+        What such a side wastes of the shape that it wastes more of.
+    closing, closing_waste : (n,) float64
+        The same of a side from the last candidate round to each one.
+    chords : (n, n) float64
+        Price of a chord.
+    outside : (n, n) float64
+        Its length outside the shape that more is outside of; infinite where plainly `most` or more.
     most : float
         Length outside from which on a chord is of no use.
     """
@@ -86,8 +90,11 @@ class Links:
     nodes: Index
     rank: Index
     points: Points
+    sides: Floats
     waste: Floats
     closing: Floats
+    closing_waste: Floats
+    chords: Floats
     outside: Floats
     most: float
 
@@ -96,40 +103,55 @@ class Links:
         """Measure the pairs of candidates, (n,), of which the first is a node for certain."""
         rank = np.argsort((candidates - candidates[0] - 1) % len(contours), kind="stable")
         nodes = candidates[rank]
+        points = contours.points[:, nodes]
         count = len(nodes)
         i, j = np.triu_indices(count, 1)
-        waste = np.full((2, count, count), np.inf)
-        waste[:, i, j] = arc_waste(contours, nodes[i], nodes[j])
-        closing = arc_waste(contours, np.full(count, nodes[-1]), nodes)
-        closing[:, -1] = np.inf
+        wasted = arc_waste(contours, nodes[i], nodes[j])
+        sides, waste = np.full((2, count, count), np.inf)
+        sides[i, j], waste[i, j] = side_prices(wasted), np.maximum(*wasted)
+        wasted = arc_waste(contours, np.full(count, nodes[-1]), nodes)
+        wasted[:, -1] = np.inf
         outside = outside_lengths(contours.points, nodes, most)
-        return cls(nodes, rank, contours.points[:, nodes], waste, closing, outside, most)
+        dx, dy = (points[:, None, :, axis] - points[:, :, None, axis] for axis in (0, 1))
+        length = np.sqrt(dx * dx + dy * dy)
+        price = OUTSIDE_PRICE * (outside[0] + outside[1]) + LENGTH_PRICE * (length[0] + length[1])
+        return cls(
+            nodes,
+            rank,
+            points,
+            sides,
+            waste,
+            side_prices(wasted),
+            np.maximum(*wasted),
+            settled(price),
+            np.maximum(*outside),
+            most,
+        )
 
     def thinned(self, count: int) -> "Links":
         """The same between the most important candidates only."""
         kept = self.rank < np.sort(self.rank)[count]
-        pairs = np.ix_((True, True), kept, kept)
+        pairs = np.ix_(kept, kept)
         return Links(
             self.nodes[kept],
             self.rank[kept],
             self.points[:, kept],
+            self.sides[pairs],
             self.waste[pairs],
-            self.closing[:, kept],
+            self.closing[kept],
+            self.closing_waste[kept],
+            self.chords[pairs],
             self.outside[pairs],
             self.most,
         )
 
     def priced(self, level: Level) -> tuple[Floats, Floats, Floats]:
         """Prices as sides, as chords and as the closing side; infinite where not allowed."""
-        sides, closing = (
-            np.where((waste < level.side).all(axis=0), side_prices(waste), np.inf)
-            for waste in (self.waste, self.closing)
+        return (
+            np.where(self.waste < level.side, self.sides, np.inf),
+            np.where(self.outside < level.outside, self.chords, np.inf),
+            np.where(self.closing_waste < level.side, self.closing, np.inf),
         )
-        step = self.points[:, :, None] - self.points[:, None]
-        length = np.sqrt((step**2).sum(-1)).sum(axis=0)
-        chords = settled(OUTSIDE_PRICE * self.outside.sum(axis=0) + LENGTH_PRICE * length)
-        allowed = (self.outside < level.outside).all(axis=0)
-        return sides, np.where(allowed, chords, np.inf), closing
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -22,24 +22,38 @@ def _strict(turns: Floats, ring: Points) -> Floats:
     return np.where(abs(turns) <= IN_LINE * np.ptp(ring, axis=0).max(), 0.0, turns)
 
 
+def _products(ring: Points) -> Floats:
+    """Cross products of all corners i, k, of which three add up to a turn, (n, n)."""
+    x = ring - ring.mean(axis=0)
+    return cross(x[:, None], x[None])
+
+
 def _turns(ring: Points) -> Floats:
     """Twice the area of i, j, k for all corners, (n, n, n); 0 where they are in line."""
-    x = ring - ring.mean(axis=0)
-    product = cross(x[:, None], x[None])
+    product = _products(ring)
     return _strict(product[:, :, None] + product[None] - product[:, None, :], ring)
 
 
-def _apart(ring: Points, turns: Floats) -> Mask:
-    """Which pairs i, j do not touch the side k to k + 1, (n, n, n)."""
-    to_next = np.roll(turns, -1, axis=2)
-    one_side = turns * to_next > 0
-    by_side = turns[np.arange(len(ring)), (np.arange(len(ring)) + 1) % len(ring)]  # (side, corner)
-    other = (by_side[:, :, None] * by_side[:, None, :] > 0).transpose(1, 2, 0)
-    low, high = np.minimum(ring[:, None], ring[None]), np.maximum(ring[:, None], ring[None])
+def _apart(ring: Points, i: Index, j: Index, turns: Floats, by_side: Floats) -> Mask:
+    """Which of some pairs of corners do not touch the side k to k + 1, (K, n).
+
+    Parameters
+    ----------
+    ring : (n, 2) float64
+    i, j : (K,) intp
+    turns : (K, n) float64
+        Turns of i, j and every corner.
+    by_side : (n, n) float64
+        Turns of every side and every corner.
+    """
+    one_side = turns * np.roll(turns, -1, axis=1) > 0
+    other = (by_side[:, i] * by_side[:, j] > 0).T
+    apart = one_side | other
     following = np.roll(ring, -1, axis=0)
-    side_low, side_high = np.minimum(ring, following), np.maximum(ring, following)
-    boxes = (low[:, :, None] > side_high).any(axis=-1) | (high[:, :, None] < side_low).any(axis=-1)
-    return np.asarray(one_side | other | boxes)
+    for here, there in zip(ring.T, following.T, strict=True):  # boxes that do not meet
+        apart |= np.minimum(here[i], here[j])[:, None] > np.maximum(here, there)
+        apart |= np.maximum(here[i], here[j])[:, None] < np.minimum(here, there)
+    return np.asarray(apart)
 
 
 def touching_sides(ring: Points) -> Mask:
@@ -65,20 +79,24 @@ def inner_diagonals(ring: Points) -> Mask:
     Neighbours are not.
     """
     count = len(ring)
-    turns = _turns(ring)
+    product = _products(ring)
     own = np.arange(count)
     after, before = (own + 1) % count, own - 1
-    left = turns[own, after] > 0  # (corner, other): other is left of the side that leaves
-    right = turns[before, own] > 0
-    convex = turns[before, own, after] > 0
+    by_side = _strict(product[own, after][:, None] + product[after] - product, ring)
+    left = by_side > 0  # (corner, other): other is left of the side that leaves
+    right = left[before]
+    convex = by_side[before, after] > 0
     cone = np.where(convex[:, None], left & right, left | right)
-    apart = _apart(ring, turns)
-    for k in (own, before):  # sides at either end meet the diagonal there, and no more by `cone`
-        apart[own, :, k] = True
-        apart[:, own, k] = True
-    inside = cone & cone.T & apart.all(axis=2)
-    inside[own, own] = inside[own, after] = inside[after, own] = False
-    return np.asarray(inside)
+    inside = np.triu(cone & cone.T, 2)
+    inside[0, -1] = False
+    i, j = np.nonzero(inside)
+    turns = _strict(product[i, j][:, None] + product[j] - product[i], ring)
+    apart = _apart(ring, i, j, turns, by_side)
+    pair = np.arange(len(i))
+    for k in (i, j):  # sides at either end meet the diagonal there, and no more by `cone`
+        apart[pair, k] = apart[pair, before[k]] = True
+    inside[i, j] = apart.all(axis=1)
+    return np.asarray(inside | inside.T)
 
 
 def cheapest_triangulation(ring: Points, allowed: Mask, price: Floats) -> Index:

@@ -51,13 +51,11 @@ def slid(contours: Contours, pull: Floats, nodes: Index, quads: Index, triangles
     price = np.zeros((count, len(steps)))
     stale = np.ones(count, dtype=bool)  # nodes whose prices a move has changed
     for _ in range(SWEEPS):
-        here = nodes[stale, None]
-        before, after = np.roll(nodes, 1)[stale, None], np.roll(nodes, -1)[stale, None]
         places = (nodes[:, None] + steps) % total
-        tried = places[stale]
-        ends = np.stack(
-            [np.broadcast_to(before, tried.shape), tried, np.broadcast_to(after, tried.shape)]
-        )
+        here, tried = nodes[stale, None], places[stale]
+        before = nodes[np.flatnonzero(stale) - 1][:, None]
+        after = nodes[(np.flatnonzero(stale) + 1) % count][:, None]
+        ends = np.stack(np.broadcast_arrays(before, tried, after))
         to, on = side_prices(arc_waste(contours, ends[:2], ends[1:]))
         price[stale] = to + on - pull[tried]
         for faces, prices in ((quads, quad_prices), (triangles, triangle_prices)):
