@@ -18,7 +18,7 @@ from shapetween.outline import Outline
 from shapetween.riding.planes import Plane
 from shapetween.rings.matched import MatchedOutlines, cut_curves
 
-__all__ = ["Parts", "matched_nearby", "turn_between"]
+__all__ = ["Parts", "cut_alike", "cut_open", "matched_nearby", "turn_between"]
 
 #: Stations two outlines are matched by. Fewer lose fingers, more cost time with the square.
 STATIONS = 64
@@ -143,7 +143,7 @@ def _open(places: tuple[ArcLength, ArcLength], plane: Plane, fine: bool) -> Part
         u, v = rows / (STATIONS - 1), columns / (STATIONS - 1)
     else:
         u = v = np.array([0.0, 1.0])
-    return _cut_alike(pair, u, v)
+    return cut_alike(pair, u, v)
 
 
 def _opened(places: tuple[ArcLength, ArcLength], plane: Plane) -> tuple[ArcLength, ArcLength]:
@@ -157,11 +157,11 @@ def _opened(places: tuple[ArcLength, ArcLength], plane: Plane) -> tuple[ArcLengt
     ring, line = points[loop], points[1 - loop]
     order = (np.arange(STATIONS)[:, None] + np.arange(STATIONS)) % STATIONS
     apart = [((ring[k] - line) ** 2).sum(axis=(1, 2)) for k in (order, order[:, ::-1])]
-    cut = ArcLength(_cut_open(places[loop], int(np.minimum(*apart).argmin()) / STATIONS))
+    cut = ArcLength(cut_open(places[loop], int(np.minimum(*apart).argmin()) / STATIONS))
     return (cut, places[1]) if loop == 0 else (places[0], cut)
 
 
-def _cut_open(place: ArcLength, fraction: float) -> Outline:
+def cut_open(place: ArcLength, fraction: float) -> Outline:
     """A closed line as an open one that starts and ends at a place on it."""
     index, t = place.locate(fraction)
     first, at = int(index), float(t)
@@ -214,7 +214,7 @@ def _directions(points: Points, closed: bool) -> Points:
     return np.asarray(ahead / np.where(size > 0, size, 1.0))
 
 
-def _cut_alike(places: tuple[ArcLength, ArcLength], u: Floats, v: Floats) -> Parts:
+def cut_alike(places: tuple[ArcLength, ArcLength], u: Floats, v: Floats) -> Parts:
     """Two open lines cut at both lines' joints, given matched places (K,) of both."""
     joints = [place.joints[1:] for place in places]
     brought = np.interp(joints[1], v, u)

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Points
+from shapetween.arrays import Curves, Floats, Mask, Points
 from shapetween.geometry.bezier import sub_curves
 from shapetween.geometry.linearmaps import LinearMaps, as_complex
 from shapetween.geometry.rotation import rotations
 from shapetween.riding.carriages import Carriage, Several, bendable, carriage, is_compact
 from shapetween.riding.nearby import Parts, turn_between
 from shapetween.riding.planes import Held, Plane
+from shapetween.riding.unroll import Turns
 
 __all__ = ["Leaver", "Rider", "Tip", "riding"]
 
@@ -41,11 +42,29 @@ class Rider:
     closed: bool
     angle: float
     _carriages: tuple[Carriage, Carriage]
+    _turns: Turns | None = None
 
     @property
     def counts(self) -> tuple[int, ...]:
         """Number of curves in its one ring."""
         return (len(self.source),)
+
+    @property
+    def bounds(self) -> Floats:
+        """Shares of its length at which its curves start and end, mean of both ends, (P + 1,)."""
+        return (_bounds(self.source) + _bounds(self.target)) / 2
+
+    def at_home(self, t: Floats) -> Mask:
+        """At which times (F,) it is what was drawn."""
+        return np.asarray((t == 0) | (t == 1))
+
+    def whole(self, t: Floats) -> Curves:
+        """The same as `curves`."""
+        return self.curves(t)
+
+    def shown(self, whole: Curves, t: Floats) -> Curves:
+        """What is seen of it: the whole."""
+        return whole
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2); the outlines' own at 0 and 1."""
@@ -72,6 +91,8 @@ class Rider:
         """The curves at the times (F,), and both ends as the plane alone carries them."""
         time = t[:, None, None, None]
         start, end = ends = self._carriages[0].at(t), self._carriages[1].at(t)
+        if self._turns is not None:
+            return self._turns.between(start, end, t), ends
         if self.angle:
             start = _about(start, t * self.angle)
             end = _about(end, (t - 1) * self.angle)
@@ -98,7 +119,9 @@ def _affine(source: Points, target: Points) -> Floats:
     return np.where(sound[:, None, None], general, similar)
 
 
-def riding(parts: Parts, plane: Plane, extents: tuple[float, float]) -> Rider:
+def riding(
+    parts: Parts, plane: Plane, extents: tuple[float, float], *, unrolls: bool = False
+) -> Rider:
     """Let matched parts ride on a plane.
 
     Parameters
@@ -107,6 +130,8 @@ def riding(parts: Parts, plane: Plane, extents: tuple[float, float]) -> Rider:
     plane : Plane
     extents : (float, float)
         How large what the plane carries is at both ends.
+    unrolls : bool
+        Whether the parts of a line turn by themselves.
     """
     compact = is_compact(parts.source, extents[0]) and is_compact(parts.target, extents[1])
     if not compact:
@@ -117,7 +142,8 @@ def riding(parts: Parts, plane: Plane, extents: tuple[float, float]) -> Rider:
     )
     brought = carriages[0].at(np.ones(1))[0]
     angle = turn_between(brought.reshape(-1, 2), parts.target.reshape(-1, 2))
-    return Rider(parts.source, parts.target, parts.closed, angle, carriages)
+    turns = Turns.of(brought, parts.target) if unrolls else None
+    return Rider(parts.source, parts.target, parts.closed, angle, carriages, turns)
 
 
 def _about(curves: Curves, angles: Floats) -> Curves:
@@ -233,12 +259,9 @@ class Tip:
         host: Rider | None = None,
     ) -> "Tip":
         """Take a line aboard that grows from its first point, perhaps on a host."""
-        lengths = np.linalg.norm(np.diff(curves, axis=1), axis=2).sum(axis=1)
-        bounds = np.concatenate([[0.0], np.cumsum(lengths)])
-        bounds = bounds / bounds[-1] if bounds[-1] > 0 else np.linspace(0, 1, len(bounds))
         compact = is_compact(curves, extent)
         ride = carriage(curves, plane, arrives, closed=False, compact=compact)
-        return cls(curves, arrives, bounds, ride, host)
+        return cls(curves, arrives, _bounds(curves), ride, host)
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -247,20 +270,45 @@ class Tip:
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2)."""
-        size = t if self.arrives else 1 - t
+        return self.shown(self.whole(t), t)
+
+    @property
+    def closed(self) -> bool:
+        """Its ends are apart."""
+        return False
+
+    def at_home(self, t: Floats) -> Mask:
+        """At which times (F,) it is what was drawn."""
+        return np.asarray(t == float(self.arrives))
+
+    def whole(self, t: Floats) -> Curves:
+        """Control points of all of it, also where it has not grown yet."""
         moved = self._carriage.at(t)
         if self._host is not None:
             flat = moved.reshape(len(t), -1, 2)
             moved = self._host.leads(flat, t, self.arrives).reshape(moved.shape)
+        moved[self.at_home(t)] = self.home
+        return moved
+
+    def shown(self, whole: Curves, t: Floats) -> Curves:
+        """What is seen of it where it is as a whole at the times (F,), both (F, P, 4, 2)."""
+        size = t if self.arrives else 1 - t
         span = np.diff(self.bounds)
         shown = (size[:, None] - self.bounds[:-1]) / np.where(span > 0, span, 1.0)
         shown = np.clip(np.where(span > 0, shown, size[:, None] >= self.bounds[1:]), 0.0, 1.0)
-        cut = sub_curves(moved.reshape(-1, 4, 2), np.zeros(shown.size), shown.ravel())
-        result = cut.reshape(moved.shape)
+        cut = sub_curves(whole.reshape(-1, 4, 2), np.zeros(shown.size), shown.ravel())
+        result = cut.reshape(whole.shape)
         # What is not shown yet lies on the tip.
         last = np.minimum((size[:, None] > self.bounds[1:]).sum(axis=1), len(span) - 1)
         tip = result[np.arange(len(t)), last, 3]
         hidden = np.arange(len(span)) > last[:, None]
         result = np.where(hidden[..., None, None], tip[:, None, None], result)
-        result[size == 1] = self.home
+        result[size == 1] = whole[size == 1]
         return np.asarray(result)
+
+
+def _bounds(curves: Curves) -> Floats:
+    """Shares of a line's length, about, at which its curves start and end, (P + 1,)."""
+    lengths = np.linalg.norm(np.diff(curves, axis=1), axis=2).sum(axis=1)
+    bounds = np.concatenate([[0.0], np.cumsum(lengths)])
+    return bounds / bounds[-1] if bounds[-1] > 0 else np.linspace(0, 1, len(bounds))

@@ -1,6 +1,7 @@
 """Drawn paths that ride on a drawing's movement: pairs of shapes, and shapes without a partner."""
 
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from shapetween.movement import Part
 from shapetween.paint import Style
 from shapetween.riding.planes import Plane
 from shapetween.riding.riders import Leaver, Rider, Tip
+from shapetween.riding.ties import Tied
 from shapetween.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["LonePart", "RidingPart", "ShownPart"]
@@ -21,12 +23,16 @@ __all__ = ["LonePart", "RidingPart", "ShownPart"]
 FULL_WIDTH = 0.25
 
 
+AnyRider: TypeAlias = Rider | Leaver | Tip | Tied
+"""Rings that ride."""
+
+
 class _Ridden:
     """What a part is whose rings ride, one rider after another."""
 
     __slots__ = ()
 
-    riders: tuple[Rider | Leaver | Tip, ...]
+    riders: tuple[AnyRider, ...]
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -46,7 +52,7 @@ class RidingPart(_Ridden):
     ----------
     name : str
     styles : (Style, Style)
-    riders : tuple of Rider or Leaver
+    riders : tuple of Rider, Leaver or Tied
         Rings that become each other, and pieces and holes that open and close.
     closed : tuple of bool
         Which of the rings are closed.
@@ -58,7 +64,7 @@ class RidingPart(_Ridden):
 
     name: str
     styles: tuple[Style, Style]
-    riders: tuple[Rider | Leaver, ...]
+    riders: tuple[AnyRider, ...]
     closed: tuple[bool, ...]
     plane: Plane
     motion: WholeMotion | None = None
@@ -93,7 +99,7 @@ class LonePart(_Ridden):
     name : str
     whole : Style
         Its paint where it is whole.
-    riders : tuple of Leaver or Tip
+    riders : tuple of Leaver, Tip or Tied
     closed : tuple of bool
         Which of the rings are closed.
     arrives : bool
@@ -106,7 +112,7 @@ class LonePart(_Ridden):
 
     name: str
     whole: Style
-    riders: tuple[Leaver | Tip, ...]
+    riders: tuple[AnyRider, ...]
     closed: tuple[bool, ...]
     arrives: bool
     plane: Plane
@@ -125,7 +131,7 @@ class LonePart(_Ridden):
         stroke = style.stroke
         if stroke is None:
             return style
-        grows = any(isinstance(rider, Tip) for rider in self.riders)
+        grows = not all(isinstance(rider, Leaver) for rider in self.riders)
         share = min(1.0, size / FULL_WIDTH) if grows else size
         dashes = tuple(d * share for d in stroke.dashes) if share > 0 else ()
         return replace(style, stroke=replace(stroke, width=stroke.width * share, dashes=dashes))

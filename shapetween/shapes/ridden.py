@@ -12,6 +12,7 @@ from shapetween.outline import Outline
 from shapetween.riding.carriages import is_compact
 from shapetween.riding.nearby import matched_nearby
 from shapetween.riding.riders import Leaver, Rider, Tip, riding
+from shapetween.riding.unroll import matched_along, overturned
 from shapetween.shapes.aboard import LonePart, RidingPart
 from shapetween.shapes.flow import Flow, Lane
 from shapetween.shapes.pairing import Thing, pair_things
@@ -75,6 +76,11 @@ def ride_line(first: Shape, second: Shape, flow: Flow) -> tuple[RidingPart, list
     lane = flow.lane(_centre(first), _centre(second))
     pairs, gone, come = _paired(first.rings, second.rings, lane)
     riders = [_ride(first.rings[i], second.rings[j], lane) for i, j in pairs]
+    if len(riders) == 1 and not flow.bodies and overturned(riders[0].source, riders[0].target):
+        # A line by itself, which need not stay with anything.
+        (i, j), *_ = pairs
+        parts = matched_along(first.rings[i], second.rings[j])
+        riders = [riding(parts, lane.plane, lane.extents, unrolls=True)]
     part = RidingPart.of(
         first.name or second.name,
         (first.style, second.style),

@@ -13,6 +13,7 @@ from shapetween.paint import Style
 from shapetween.shapes.aboard import RidingPart, ShownPart
 from shapetween.shapes.fill import FillSettings, morph_fill
 from shapetween.shapes.flow import Flow, drawing_flow, resting_flow
+from shapetween.shapes.junctions import with_hanging
 from shapetween.shapes.overlaps import shared_areas
 from shapetween.shapes.pairing import pair_shapes
 from shapetween.shapes.parts import FilledPart
@@ -20,6 +21,7 @@ from shapetween.shapes.ridden import brought, ride_fill, ride_line, ride_lone
 from shapetween.shapes.silhouette import Areas, covered_by
 from shapetween.shapes.stacking import stacked
 from shapetween.shapes.stroking import outlined
+from shapetween.shapes.tying import tied
 
 __all__ = ["move_together"]
 
@@ -83,6 +85,7 @@ def move_together(
         shared=shared_areas(areas, flow),
         barred=hidden[0][:, None] != hidden[1],
     )
+    pairing = with_hanging(first, second, pairing)
     said: list[str] = []
     pairs: dict[tuple[int, int], tuple[Part, ...]] = {}
     for i, j in pairing.pairs:
@@ -109,7 +112,7 @@ def move_together(
             host, fades = _host(target, areas[1], {pair[1]: p for pair, p in pairs.items()})
             shape = _rooted(target, second, areas[1])
             parts.append(ride_lone(shape, flow, True, host, fades=fades))
-    return tuple(parts), _carrier(flow), tuple(said)
+    return tied(parts), _carrier(flow), tuple(said)
 
 
 def _host(
@@ -169,7 +172,7 @@ def _move_one(
         areas = covered_by([first]), covered_by([second])
         flow = drawing_flow([first], [second], areas, boxes, settings)
     parts, said = _ride(first, second, flow, names)
-    return parts, _carrier(flow), said
+    return tied(parts), _carrier(flow), said
 
 
 def _carrier(flow: Flow) -> FilledPart | None:
