@@ -12,6 +12,7 @@ import numpy as np
 from shapetween.arrays import Floats, Index, Points
 from shapetween.correspond.features import SEEN_STEP, Features, contexts, describe, unit
 from shapetween.correspond.sampling import SAMPLES, Samples, sample
+from shapetween.correspond.symmetry import Axes, mirror_axes
 from shapetween.correspond.vertices import Vertices, salient_vertices
 from shapetween.outline import Outline
 
@@ -57,11 +58,12 @@ Cells: TypeAlias = tuple[Index, Index]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Prepared:
-    """An outline with its samples, features and salient vertices."""
+    """An outline with its samples, features, salient vertices and axes of symmetry."""
 
     samples: Samples
     features: Features
     vertices: Vertices
+    axes: Axes
 
     def places(self, at: Floats) -> Floats:
         """Fractions of the length, from the canonical start, of measures of any turn."""
@@ -131,7 +133,8 @@ class Looks:
 def prepare(outline: Outline) -> Prepared:
     """Sample and describe an outline."""
     samples = sample(outline)
-    return Prepared(samples, describe(samples.points), salient_vertices(samples.points))
+    points = samples.points
+    return Prepared(samples, describe(points), salient_vertices(points), mirror_axes(points))
 
 
 def stations(prepared: Prepared, places: Floats) -> Stations:

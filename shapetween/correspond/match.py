@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index
+from shapetween.arrays import Floats
 from shapetween.correspond.band import band_path
 from shapetween.correspond.correspondence import Confidence, Correspondence
 from shapetween.correspond.costs import (
@@ -21,14 +21,15 @@ from shapetween.correspond.costs import (
     upright_cost,
 )
 from shapetween.correspond.dynamic import Paths, cyclic_paths
+from shapetween.correspond.layout import Layout, layout_of, mirrored_layout
+from shapetween.correspond.symmetry import aligned_axes
 from shapetween.outline import Outline
 
 __all__ = ["best_matching"]
 
-#: Stations a matching is chosen with, and how many of the second outline's are skipped between
-#: those the first one's first may be matched with. Fewer lose fingers; more cost time with the cube
-#: and match no better.
-STATIONS, EVERY = 64, 2
+#: Stations a matching is chosen with. Fewer lose fingers; more cost time with the cube and match no
+#: better.
+STATIONS = 64
 
 #: Stations a chosen matching is refined with, and how far it may move, as a share of them.
 FINE_STATIONS, BAND = 192, 0.04
@@ -47,6 +48,11 @@ FRAME_RATIO = 0.7
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
 #: and what lies between is not listened to.
 VERTEX_REWARD = 2.8 / STATIONS
+
+#: Symmetric outlines are meant to stay so: the matching that keeps them symmetric may cost this
+#: many times the cheapest. Less, and one side of a thing moves unlike the other; more, and a heart
+#: is laid on its side to become a C.
+SYMMETRY_RATIO = 1.25
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
@@ -75,36 +81,15 @@ class Candidate:
     cost : float
     turn : float
         The frame: the angle the first outline was turned by.
+    axis : (2, 2) float64 or None
+        Rows a, b of the two ends of the axis of symmetry, where the matching is symmetric.
     """
 
     a: Floats
     b: Floats
     cost: float
     turn: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Layout:
-    """Stations on both outlines; pinned ones are fixed to one another.
-
-    Attributes
-    ----------
-    a, b : (n,) float64
-        Places, fractions of the lengths from the canonical starts, increasing.
-    a_vertices, b_vertices : (K,) intp
-        The stations of the salient vertices.
-    fixed : (k,) intp
-        Pinned stations, the same on both.
-    starts : (S,) intp
-        Stations of the second that the first one's station 0 may be matched with.
-    """
-
-    a: Floats
-    b: Floats
-    a_vertices: Index
-    b_vertices: Index
-    fixed: Index
-    starts: Index
+    axis: Floats | None = None
 
 
 def best_matching(source: Outline, target: Outline, pins: Floats) -> Correspondence:
@@ -139,7 +124,7 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
 
 def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     pins = pins[np.argsort(pins[:, 0])]
-    layout = _layout(a, b, pins, STATIONS)
+    layout = layout_of(a, b, pins, STATIONS)
     cells = all_cells(len(layout.a), len(layout.b))
     intrinsic = intrinsic_cost(stations(a, layout.a), stations(b, layout.b), cells)
     paths = cyclic_paths(intrinsic, np.zeros_like(intrinsic), layout.fixed, layout.starts)
@@ -147,6 +132,7 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     # Rewards not earned count as costs, so that the costs of two frames have a ratio.
     unrewarded = VERTEX_REWARD * len(a.vertices.index)
     ranked: list[tuple[float, Candidate]] = []
+    standing = False  # symmetric outlines whose axes point the same way as drawn are not turned
     worths = {0.0: _worth_of_vertices(a, b, 0.0)}
     if abs(turn) >= MIN_TURN:
         worths[turn] = _worth_of_vertices(a, b, turn)
@@ -156,6 +142,10 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
         handicap = 1.0 if angle == 0 else 1 / FRAME_RATIO
         found = _distinct(paths, layout, PER_FRAME, angle)
         ranked += [((c.cost + unrewarded) * handicap, c) for c in found]
+        if len(pins) == 0 and not standing:
+            even = _symmetric_matchings(a, b, angle, worth)
+            ranked += [((c.cost + unrewarded) * handicap / SYMMETRY_RATIO, c) for c in even]
+            standing = bool(even)
     ranked.sort(key=lambda entry: entry[0])
     costs = [cost for cost, _ in ranked] + [np.inf]
     chosen = ranked[0][1]
@@ -173,6 +163,59 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     )
 
 
+def _symmetric_matchings(a: Prepared, b: Prepared, angle: float, worth: Floats) -> list[Candidate]:
+    """The best matchings of two symmetric outlines that match axis with axis, in one frame."""
+    found = []
+    cells = all_cells(STATIONS, STATIONS)
+    for axis in aligned_axes(a.axes, b.axes, angle):
+        layout = mirrored_layout(a, b, axis, STATIONS)
+        cost = _even_cost(a, b, layout, angle, cells)
+        paths = cyclic_paths(cost, _even_rewards(worth, layout), layout.fixed, layout.starts)
+        found += [_even(c, axis) for c in _distinct(paths, layout, 1, angle)]
+    return found
+
+
+def _refined_symmetric(
+    a: Prepared, b: Prepared, candidate: Candidate, worth: Floats, axis: Floats
+) -> Candidate:
+    """The symmetric matching found again with more stations, near where it was."""
+    layout = mirrored_layout(a, b, axis, FINE_STATIONS)
+    image = np.ix_(layout.image, layout.image)
+    near = _away(candidate, layout) <= BAND
+    near |= near[image]
+    rows, columns = np.nonzero(near)
+    cells = rows, columns
+    cost = _even_cost(a, b, layout, candidate.turn, cells)
+    reward = _even_rewards(worth, layout)[near]
+    path = band_path(cells, cost, reward, layout.fixed, len(layout.a))
+    if path is None:
+        return candidate
+    knots = _around(layout)
+    return _even(replace(candidate, a=knots[0][path[0]], b=knots[1][path[1]]), axis)
+
+
+def _even_cost(a: Prepared, b: Prepared, layout: Layout, angle: float, cells: Cells) -> Floats:
+    """Costs of pairs of stations of a mirrored layout, a pair's the same as its mirror image's."""
+    first, second = looks(stations(a, layout.a).turned(angle)), looks(stations(b, layout.b))
+    images = layout.image[cells[0]], layout.image[cells[1]]
+    return (upright_cost(first, second, cells) + upright_cost(first, second, images)) / 2
+
+
+def _even_rewards(worth: Floats, layout: Layout) -> Floats:
+    reward = _rewards(worth, layout)
+    return np.maximum(reward, reward[np.ix_(layout.image, layout.image)])
+
+
+def _even(candidate: Candidate, axis: Floats) -> Candidate:
+    """The matching with its first half, mirrored, for its second."""
+    half = int(np.abs(candidate.a - candidate.a[0] - 0.5).argmin())
+    a, b = (
+        np.concatenate([at[: half + 1], 2 * at[half] - at[:half][::-1]])
+        for at in (candidate.a, candidate.b)
+    )
+    return replace(candidate, a=a, b=b, axis=axis)
+
+
 def _confidence(cost: float, runner_up: float) -> Confidence:
     """How likely the matching is the one meant, by its cost and its lead."""
     lead = runner_up - cost
@@ -181,44 +224,6 @@ def _confidence(cost: float, runner_up: float) -> Confidence:
     if lead < LEAST_LEAD * cost or cost > LIKELY_COST:
         return "unsure"
     return "sure" if cost < SURE_COST else "likely"
-
-
-def _layout(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
-    """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
-    fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), count)
-    starts = np.arange(0, 1 if len(pins) else count, EVERY)
-    places_a, stations_a = _onto_vertices(a, at_a, fixed)
-    places_b, stations_b = _onto_vertices(b, at_b, fixed)
-    return Layout(places_a, places_b, stations_a, stations_b, fixed, starts)
-
-
-def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:
-    """Stations at even steps between pins, as many on both: pinned ones, measures of all."""
-    if len(a) == 0:
-        even = np.arange(count) / count
-        return np.zeros(0, dtype=np.intp), even, even
-    ends_a, ends_b = np.append(a, a[0] + 1), np.append(b, b[0] + 1)
-    ends_b[1:] += np.cumsum(np.diff(ends_b) < 0)
-    ends_b[-1] = ends_b[0] + 1
-    share = (np.diff(ends_a) + np.diff(ends_b)) / 2
-    steps = np.maximum(np.round(share * count).astype(np.intp), 2)
-    knots = np.concatenate([[0], np.cumsum(steps)])
-    at = np.arange(knots[-1])
-    return knots[:-1], np.interp(at, knots, ends_a), np.interp(at, knots, ends_b)
-
-
-def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats, Index]:
-    """Places of stations, those nearest the salient vertices moved there, and which these are."""
-    places = prepared.places(at)
-    vertex = prepared.vertices.index / len(prepared.samples.points)
-    measure = prepared.measures(vertex)
-    gap = measure[:, None] - at
-    gap = gap - np.round(gap)
-    nearest = np.abs(gap).argmin(axis=1)
-    free = ~np.isin(nearest, fixed)
-    moved = prepared.places(at[nearest] + gap[np.arange(len(vertex)), nearest])
-    places[nearest[free]] = moved[free]
-    return places, nearest
 
 
 def _cost(
@@ -327,14 +332,13 @@ def _refined(
     this knot moves as well.
     """
     best = candidate
+    if candidate.axis is not None:
+        return _refined_symmetric(a, b, candidate, worth, candidate.axis)
     for cut in (0.0,) if len(pins) else (0.0, 0.5):
         middle = best.a[0] + cut
         kept = np.array([[middle, _follow(best.a, best.b, np.array([middle]))[0]]])
-        layout = _layout(a, b, pins if len(pins) else kept, FINE_STATIONS)
-        across = _follow(best.a, best.b, layout.a)[:, None] - layout.b
-        along = layout.a[:, None] - _follow(best.b, best.a, layout.b)
-        away = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
-        near = away <= BAND
+        layout = layout_of(a, b, pins if len(pins) else kept, FINE_STATIONS)
+        near = _away(best, layout) <= BAND
         rows, columns = np.nonzero(near)
         cost = _cost(a, b, layout, candidate.turn, pins, (rows, columns))
         reward = _rewards(worth, layout)[near]
@@ -344,6 +348,13 @@ def _refined(
         knots = _around(layout)
         best = replace(best, a=knots[0][path[0]], b=knots[1][path[1]])
     return best
+
+
+def _away(candidate: Candidate, layout: Layout) -> Floats:
+    """How far every pair of stations is from the matching, along the nearer outline, (n, n)."""
+    across = _follow(candidate.a, candidate.b, layout.a)[:, None] - layout.b
+    along = layout.a[:, None] - _follow(candidate.b, candidate.a, layout.b)
+    return np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
 
 
 def _finished(a: Prepared, b: Prepared, candidate: Candidate, cost: float) -> Correspondence:
