@@ -43,9 +43,9 @@ def band_path(
     side = REACH + count + 1
     places = (REACH + rows) * side + REACH + columns
     places[-1] = side * side - 1
-    around = np.full((side, side), np.inf)
-    around.flat[places] = cost[order] + tilt(rows, columns)
-    prices = move_prices(around, places) - reward[order]
+    costs = np.full(side * side, np.inf)
+    costs[places] = cost[order] + tilt(rows, columns)
+    prices = move_prices(lambda i, j: costs[places - (i * side + j)]) - reward[order]
     prices[steps_over(rows, columns, fixed, count)] = np.inf
     table = np.full(side * side, np.inf)
     table[REACH * side + REACH] = 0.0

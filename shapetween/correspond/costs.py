@@ -155,7 +155,7 @@ def stations(prepared: Prepared, places: Floats) -> Stations:
             features.turns,
         ]
     )
-    read = rows[:, first] * (1 - share) + rows[:, second] * share
+    read = rows.take(first, axis=1) * (1 - share) + rows.take(second, axis=1) * share
     return Stations(
         points=read[:2].T,
         tangents=unit(read[2:4].T),
@@ -219,8 +219,9 @@ def all_cells(rows: int, columns: int) -> Cells:
 
 def _square_gaps(a: Floats, b: Floats, cells: Cells) -> Floats:
     """Sum over rows of the squared differences of pairs of columns: (k, n) and (k, m)."""
-    gap = a[:, cells[0]] - b[:, cells[1]]
-    np.multiply(gap, gap, out=gap)
+    # Taken, not indexed: then the pairs lie side by side in memory.
+    gap = a.take(cells[0], axis=1) - b.take(cells[1], axis=1)
+    gap *= gap
     return np.asarray(gap.sum(axis=0))
 
 
@@ -252,7 +253,7 @@ def _ranks(stations: Stations) -> Floats:
     1 - 2 / (1 + exp(2 x) exp(-2 y)).
     """
     # So far out two points are told apart by where they are; the exponentials stay finite.
-    points = np.concatenate([stations.points, stations.seen]).T
+    points = np.concatenate([stations.points, stations.seen]).T.copy(order="C")
     here, seen = np.split(np.clip(points * (2 / RANK_BLUR), -FAR, FAR), [len(stations.points)], 1)
     table = np.exp(here)[:, :, None] * np.exp(-seen)[:, None]
     table += 1

@@ -39,7 +39,7 @@ class Paths:
         """
         self.starts = starts
         columns = np.arange(int(starts.max()) + width + 1) % prices.shape[2]
-        self._windows = sliding_window_view(prices[:, :, columns], width + 1, axis=2)
+        self._windows = sliding_window_view(prices.take(columns, axis=2), width + 1, axis=2)
         # Rows and columns of no path before the first ones, so that all moves may be looked up.
         # The starts come last: then what a move looks up in a row is one run of numbers.
         table = np.full((REACH + rows + 1, REACH + width + 1, len(starts)), np.inf)
@@ -72,16 +72,24 @@ class Paths:
 
 def _run(table: Floats, prices: Floats) -> None:
     """Fill the table, (R + rows + 1, R + columns, S), from the prices, (n, M, columns, S)."""
-    starts = table.shape[2]
+    rows, width, starts = (
+        n - k for n, k in zip(table.shape, (REACH + 1, REACH + 1, 0), strict=True)
+    )
     flat = table.reshape(len(table), -1)
     reached = np.zeros(prices.shape[1:])
     lines = reached.reshape(len(MOVES), -1)
-    for i in range(1, len(table) - REACH):
-        np.copyto(reached, prices[i % len(prices)])
-        for (di, dj), line in zip(MOVES, lines, strict=True):
-            first = (REACH - dj) * starts
-            np.add(line, flat[REACH + i - di, first : first + len(line)], out=line)
-        np.minimum.reduce(lines, axis=0, out=flat[REACH + i, REACH * starts :])
+    for i in range(1, rows + 1):
+        # Columns within reach of both the start and the end.
+        low = max(-(-i // REACH), width - REACH * (rows - i))
+        high = min(i * REACH, width - -(-(rows - i) // REACH)) + 1
+        np.copyto(reached[:, low:high], prices[i % len(prices), :, low:high])
+        line = lines[:, low * starts : high * starts]
+        for (di, dj), price in zip(MOVES, line, strict=True):
+            before = flat[REACH + i - di]
+            first = (REACH - dj + low) * starts
+            np.add(price, before[first : first + len(price)], out=price)
+        first = (REACH + low) * starts
+        np.minimum.reduce(line, axis=0, out=flat[REACH + i, first : first + line.shape[1]])
 
 
 def _as_slice(starts: Index) -> Index | slice:
@@ -128,9 +136,13 @@ def _barred(cost: Floats, fixed: Index) -> Floats:
 def _prices(cost: Floats) -> Floats:
     """Price of each move round and round the costs, (n, n) to (M, n, n)."""
     count = len(cost)
-    around = np.arange(-REACH, count) % count
-    cells = np.arange(REACH, REACH + count)
-    return move_prices(cost[np.ix_(around, around)], cells[:, None] * len(around) + cells)
+    places = np.arange(-REACH, count) % count
+    around = cost[np.ix_(places, places)]
+
+    def cost_back(i: int, j: int) -> Floats:
+        return around[REACH - i : REACH - i + count, REACH - j : REACH - j + count]
+
+    return move_prices(cost_back)
 
 
 def open_path(cost: Floats) -> tuple[Index, Index]:

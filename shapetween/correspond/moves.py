@@ -1,5 +1,7 @@
 """The moves a path through a table of costs is made of, and what each of them costs."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask
@@ -31,6 +33,16 @@ WAYS = tuple(
     for di, dj in MOVES
 )
 
+#: The ways that no other one begins with: their steps, each with the move whose way it completes.
+CHAINS = tuple(
+    tuple(
+        (step, WAYS.index(way[: k + 1]) if way[: k + 1] in WAYS else None)
+        for k, step in enumerate(way)
+    )
+    for way in WAYS
+    if sum(other[: len(way)] == way for other in WAYS) == 1
+)
+
 #: Price of every station by which a move favours one outline; less invites needless slips.
 SKEW_PRICE = 0.1
 
@@ -44,31 +56,28 @@ def tilt(rows: Index, columns: Index) -> Floats:
     return np.asarray(TILT * ((37 * rows + 61 * columns) % 101), dtype=np.float64)
 
 
-def move_prices(around: Floats, cells: Index) -> Floats:
+def move_prices(cost_back: Callable[[int, int], Floats]) -> Floats:
     """Price of each move where it ends: the mean cost on its way times its length, and skew.
 
     Parameters
     ----------
-    around : (r, c) float64
-        Costs, with `REACH` rows and columns before the first cells.
-    cells : (...) intp
-        Where the moves end, counted by rows.
+    cost_back : callable
+        The costs so many rows and columns before each cell where moves end, (...).
 
     Returns
     -------
     (M, ...) float64
     """
-    flat, row = around.ravel(), around.shape[1]
-    prices = np.zeros((len(MOVES), *cells.shape))
-    # Ways that begin alike share the sums.
-    sums: dict[tuple[tuple[int, int], ...], Floats] = {}
-    for (di, dj), way, price in zip(MOVES, WAYS, prices, strict=True):
-        for k, (i, j) in enumerate(way):
-            if way[: k + 1] not in sums:
-                cost = flat[cells - (i * row + j)]
-                sums[way[: k + 1]] = sums[way[:k]] + cost if k else cost
-        np.multiply(sums[way], (di + dj) / 2 / len(way), out=price)
-        price += SKEW_PRICE * abs(di - dj)
+    shape = cost_back(0, 0).shape
+    prices = np.zeros((len(MOVES), *shape))
+    for chain in CHAINS:
+        total = np.zeros(shape)
+        for step, move in chain:
+            total += cost_back(*step)
+            if move is not None:
+                di, dj = MOVES[move]
+                np.multiply(total, (di + dj) / 2 / max(di, dj), out=prices[move])
+                prices[move] += SKEW_PRICE * abs(di - dj)
     return prices
 
 

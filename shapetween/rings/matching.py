@@ -170,17 +170,18 @@ def _meshed(
 ) -> RingMatch:
     with observe("match"):
         places = ArcLength(source), ArcLength(target)
-        anchors = np.stack(
-            [places[0].nearest(pins[:, :2])[0], places[1].nearest(pins[:, 2:])[0]], axis=1
-        )
+        anchors = None
+        if len(pins):
+            found = places[0].nearest(pins[:, :2])[0], places[1].nearest(pins[:, 2:])[0]
+            anchors = np.stack(found, axis=1)
         outlines = MatchedOutlines(
             *places, matching.u, matching.v, anchors=anchors, exact=matching.affine is not None
         )
         samples = outlines.samples(SAMPLES)
     with observe("mesh"):
-        found = mesh_matched(samples.source, samples.target, samples.joints, quads)
+        mesh = mesh_matched(samples.source, samples.target, samples.joints, quads)
     return RingMatch(
-        source, target, False, matching, outlines, samples, found.nodes, found.pair, found.level
+        source, target, False, matching, outlines, samples, mesh.nodes, mesh.pair, mesh.level
     )
 
 

@@ -116,3 +116,19 @@ def test_open_lines_are_matched_end_to_end() -> None:
     rows, columns = open_path(cost)
     assert (rows[0], columns[0], rows[-1], columns[-1]) == (0, 0, 8, 8)
     assert np.abs(columns - rows**2 / 8).max() <= 1
+
+
+def test_no_move_passes_a_fixed_station_on_its_way() -> None:
+    """Where the cheapest way steps from beside a fixed pair to beyond it, it has to stop there."""
+    cost = np.ones((12, 12))
+    # By (2, 3) from (5, 5) past (6, 6) to (7, 8) is cheaper than to stop half-way.
+    for i, j in ((4, 4), (5, 5), (7, 7), (7, 8), (8, 9)):
+        cost[i, j] = 0.0
+    reward = np.zeros((12, 12))
+    met = np.array([0, 6])
+    station = np.arange(12)
+    cells = np.repeat(station, 12), np.tile(station, 12)
+    found = band_path(cells, cost.ravel(), reward.ravel(), met, 12)
+    paths = cyclic_paths(cost, reward, met, np.zeros(1, dtype=np.intp))
+    for rows, columns in (found or (NONE, NONE), paths.trace(0)):
+        assert (6, 6) in set(zip(rows.tolist(), columns.tolist(), strict=True))
