@@ -128,9 +128,12 @@ class Links:
             most,
         )
 
-    def thinned(self, count: int) -> "Links":
-        """The same between the most important candidates only."""
-        kept = self.rank < np.sort(self.rank)[count]
+    def most_important(self, count: int) -> Mask:
+        """Which candidates are among the most important ones, (n,)."""
+        return np.asarray(self.rank < np.sort(self.rank)[count])
+
+    def among(self, kept: Mask) -> "Links":
+        """The same between some of the candidates."""
         pairs = np.ix_(kept, kept)
         return Links(
             self.nodes[kept],
@@ -184,24 +187,25 @@ class Search:
     def over(cls, links: Links, level: Level) -> "Search":
         """Price all faces between candidates, or between as many as there is time for."""
         least = -np.inf if level.broken else MIN_CORNER_SINE
-        while True:
-            sides, chords, closing = links.priced(level)
-            bounds, lids = np.isfinite(sides) | np.isfinite(chords), np.isfinite(chords)
-            lids[:, -1] |= np.isfinite(closing)
-            chains = Chains.of(Spans.of(links.points), linked_chains(bounds), least)
-            expected = bounds.sum(axis=1)[chains.nodes[2]].sum()
-            if expected <= QUAD_LIMIT:
-                break
+        bounds = np.isfinite(np.minimum(*links.priced(level)[:2]))
+        chains = Chains.of(Spans.of(links.points), linked_chains(bounds), least)
+        while (expected := bounds.sum(axis=1)[chains.nodes[2]].sum()) > QUAD_LIMIT:
             # The number of quads grows with the fourth power of the number of nodes.
-            links = links.thinned(int(len(links.nodes) * (QUAD_LIMIT / expected) ** 0.25))
+            count = int(len(links.nodes) * (QUAD_LIMIT / expected) ** 0.25)
+            kept = links.most_important(count)
+            links, chains = links.among(kept), chains.among(kept)
+            bounds = bounds[np.ix_(kept, kept)]
+        sides, chords, closing = links.priced(level)
+        lids = np.isfinite(chords)
+        lids[:, -1] |= np.isfinite(closing)
         first, second = joined_chains(chains.nodes, lids)
         price = partial(quad_prices, quad_price=0.0)
-        kept, quad_costs = _sound(chains.quad_figures, (first, second), least, price)
-        ends = chains.nodes[2][second[kept]]
-        quads = np.stack([*chains.nodes[:, first[kept]], ends], axis=1)
+        sound, quad_costs = _sound(chains.quad_figures, (first, second), least, price)
+        ends = chains.nodes[2][second[sound]]
+        quads = np.stack([*chains.nodes[:, first[sound]], ends], axis=1)
         closed = np.flatnonzero(lids[chains.nodes[0], chains.nodes[2]])
-        kept, triangle_costs = _sound(chains.triangle_figures, (closed,), least, triangle_prices)
-        triangles = chains.nodes[:, closed[kept]].T
+        sound, triangle_costs = _sound(chains.triangle_figures, (closed,), least, triangle_prices)
+        triangles = chains.nodes[:, closed[sound]].T
         return cls(
             links.nodes, sides, chords, closing, quads, quad_costs, triangles, triangle_costs
         )

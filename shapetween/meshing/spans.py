@@ -9,7 +9,7 @@ from functools import reduce
 
 import numpy as np
 
-from shapetween.arrays import Complex, Floats, Index, Points
+from shapetween.arrays import Complex, Floats, Index, Mask, Points
 from shapetween.meshing.quality import FaceFigures
 
 __all__ = ["Chains", "Spans"]
@@ -48,6 +48,17 @@ class Spans:
         inverse = np.sqrt(np.where(squared > 0, 1 / np.where(squared > 0, squared, 1.0), 0.0))
         return cls(
             points.shape[1], steps, inverse, squared[0] + squared[1], steps[0].conj() * steps[1]
+        )
+
+    def among(self, kept: Mask) -> "Spans":
+        """The tables of some of the nodes."""
+        pairs = np.flatnonzero(kept[:, None] & kept)
+        return Spans(
+            int(kept.sum()),
+            self.steps.take(pairs, axis=1),
+            self.inverse.take(pairs, axis=1),
+            self.spread[pairs],
+            self.overlap[pairs],
         )
 
     def pairs(self, first: Index, last: Index) -> Index:
@@ -108,8 +119,8 @@ class Chains:
         """Measure those of some chains, (3, C), that turn by at least some sine in both shapes."""
         a, b, c = nodes
         turns, sine = spans.turns(spans.pairs(a, b), spans.pairs(b, c))
-        kept = sine >= least
-        nodes, turns, sine = nodes[:, kept], turns[:, kept], sine[kept]
+        kept = np.flatnonzero(sine >= least)
+        nodes, turns, sine = nodes.take(kept, axis=1), turns.take(kept, axis=1), sine[kept]
         a, b, c = nodes
         sides = [spans.pairs(a, b), spans.pairs(b, c), spans.pairs(a, c)]
         return cls(
@@ -120,6 +131,20 @@ class Chains:
             _area(turns),
             reduce(np.add, [spans.spread[side] for side in sides]),
             reduce(np.add, [spans.overlap[side] for side in sides]),
+        )
+
+    def among(self, kept: Mask) -> "Chains":
+        """Those between some of the nodes, which are numbered anew."""
+        within = np.flatnonzero(kept[self.nodes].all(axis=0))
+        number = np.cumsum(kept) - 1
+        return Chains(
+            self.spans.among(kept),
+            number[self.nodes.take(within, axis=1)],
+            self.sine[within],
+            self.ratio[within],
+            self.area[within],
+            self.spread[within],
+            self.overlap[within],
         )
 
     def triangle_figures(self, chains: Index) -> FaceFigures:

@@ -44,3 +44,16 @@ def test_chains_that_bend_too_little_are_left_out() -> None:
     assert everything.nodes.shape[1] == NODES * (NODES - 1) * (NODES - 2) // 6
     np.testing.assert_array_equal(bent.nodes, everything.nodes[:, everything.sine >= 0.3])
     assert 0 < bent.nodes.shape[1] < everything.nodes.shape[1]
+
+
+def test_chains_among_some_nodes_are_those_measured_there() -> None:
+    points = np.random.default_rng(0).normal(size=(2, NODES, 2))
+    kept = np.random.default_rng(1).random(NODES) < 0.6
+    links = np.triu(np.ones((NODES, NODES), dtype=bool), 1)
+    thinned = Chains.of(Spans.of(points), linked_chains(links), 0.05).among(kept)
+    few = links[np.ix_(kept, kept)]
+    alone = Chains.of(Spans.of(points[:, kept]), linked_chains(few), 0.05)
+    np.testing.assert_array_equal(thinned.nodes, alone.nodes)
+    chains = joined_chains(alone.nodes, few)
+    assert len(chains[0]) > 0
+    assert_alike(thinned.quad_figures(*chains), alone.quad_figures(*chains))
