@@ -15,6 +15,11 @@ def all_faces(links: Mask, lids: Mask) -> tuple[Index, Index]:
     first, second = joined_chains(chains, lids)
     np.testing.assert_array_equal(chains[1:, first], chains[:2, second])
     quads = np.stack([*chains[:, first], chains[2, second]], axis=1)
+    assert quads.tolist() == [
+        [a, b, c, d]
+        for a, b, c, d in combinations(range(len(links)), 4)
+        if links[a, b] and links[b, c] and links[c, d] and lids[a, d]
+    ]
     return quads, chains[:, lids[chains[0], chains[2]]].T
 
 

@@ -13,7 +13,7 @@ from shapetween.meshing.candidates import (
 from shapetween.meshing.contour import Contours
 from shapetween.meshing.quality import face_figures
 from shapetween.meshing.slide import slid
-from tests.meshing.pairs import comb, matched, regular, star
+from tests.meshing.pairs import matched, regular, spiral
 
 LIMB = np.array([[0.0, 0.0], [6, 0], [6, 1], [0, 1]])
 
@@ -72,7 +72,7 @@ def simplified_step_by_step(points: Points, weight: Floats, chosen: list[int], c
 
 @pytest.mark.parametrize("kept", [None, [3, 40, 41, 90]])
 def test_outlines_are_simplified_furthest_sample_first(kept: list[int] | None) -> None:
-    source, target, corners = matched(star(5), comb(3), 80, 0.2)
+    source, target, corners = matched(spiral(), spiral(1.5), 120)
     points = np.stack([source, target])
     points += np.random.default_rng(0).normal(0, 1e-3, points.shape)  # no two are as far
     chosen = [far_sample(points)] if kept is None else kept
