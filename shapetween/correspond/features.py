@@ -124,25 +124,39 @@ def contexts(points: Points, seen: Points, axes: Points | None = None) -> Floats
     if axes is not None:
         along, across = axes[:, :1], axes[:, 1:]
         x, y = x * along + y * across, along * y - across * x
-    distance = np.sqrt(x * x + y * y)
-    radius = distance / distance.mean()
+    # In place from here on: the tables are large, and new ones cost more than what is in them.
+    sector = np.arctan2(y, x)
+    sector *= SECTORS / (2 * np.pi)
+    sector += SECTORS / 2
+    x *= x
+    y *= y
+    x += y
+    mean = np.sqrt(x).mean()
     low = np.log(NEAREST)
     scale = (RINGS - 1) / (np.log(FARTHEST) - low)
     # A spare ring on either side takes what is not seen: the point itself, and what lies far off.
-    ring = np.clip((np.log(np.maximum(radius, 1e-6)) - low) * scale, -1, RINGS) + 1
-    sector = np.arctan2(y, x) * (SECTORS / (2 * np.pi)) + SECTORS / 2
-    r0, s0 = ring.astype(np.intp), sector.astype(np.intp)
-    outer, later = ring - r0, sector - s0
-    inner, sooner = 1 - outer, 1 - later
+    ring = np.log(np.maximum(x, (1e-6 * mean) ** 2, out=x), out=x)
+    ring *= scale / 2
+    ring -= (low + np.log(mean)) * scale
+    np.clip(ring, -1, RINGS, out=ring)
+    ring += 1
     # Rings and sectors that a vote may be shared with; the last two sectors are the first ones.
     rings, sectors = RINGS + 3, SECTORS + 2
-    where = ((np.arange(len(points))[:, None] * rings + r0) * sectors + s0).ravel()
+    whole, part = np.floor(ring), np.floor(sector)
+    outer, later = np.subtract(ring, whole, out=ring), np.subtract(sector, part, out=sector)
+    whole += np.arange(len(points))[:, None] * rings
+    whole *= sectors
+    whole += part
+    where = whole.astype(np.intp).ravel()
+    both = outer * later
+    outer -= both
+    later -= both
     votes = np.zeros(len(points) * rings * sectors)
     for first, share in (
-        (0, inner * sooner),
-        (1, inner * later),
-        (sectors, outer * sooner),
-        (sectors + 1, outer * later),
+        (0, 1 - both - outer - later),
+        (1, later),
+        (sectors, outer),
+        (sectors + 1, both),
     ):
         votes[first:] += np.bincount(where, share.ravel(), len(votes))[: len(votes) - first]
     kept = votes.reshape(len(points), rings, sectors)[:, 1:-2]
