@@ -10,9 +10,9 @@ from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import OptionError
 from shapetween.fit import Fit, fit_matrix, mapped
 from shapetween.mesh import MeshPair
-from shapetween.movement import Movement
+from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
-from shapetween.shapes.aboard import ShownPart
+from shapetween.shapes.aboard import RidingPart, ShownPart
 from shapetween.shapes.fill import FillSettings
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.paths import plain_shapes
@@ -89,9 +89,18 @@ class Prepared:
     @property
     def filled(self) -> tuple[FilledPart, ...]:
         """What has meshes: the carrier, and parts that move by themselves."""
+        own = (part for part in self._own_parts() if isinstance(part, FilledPart))
+        return (*([self.carrier] if self.carrier else []), *own)
+
+    @property
+    def riding(self) -> tuple[RidingPart, ...]:
+        """What becomes something else while it rides."""
+        return tuple(part for part in self._own_parts() if isinstance(part, RidingPart))
+
+    def _own_parts(self) -> list[Part]:
+        """The parts, each once, also where it is shown in two places."""
         parts = (p.part if isinstance(p, ShownPart) else p for p in self.movement.parts)
-        own = {id(part): part for part in parts if isinstance(part, FilledPart)}
-        return (*([self.carrier] if self.carrier else []), *own.values())
+        return list({id(part): part for part in parts}.values())
 
 
 def prepare(

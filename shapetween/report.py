@@ -11,9 +11,13 @@ from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
 from shapetween.pipeline import Prepared
 from shapetween.rings.body import Carried, RingMatch
+from shapetween.shapes.aboard import RidingPart
 from shapetween.version import installed_version
 
 __all__ = ["build", "build_chain", "mesh_figures"]
+
+#: Times at which shapes that ride are looked at. More are dear where there are hundreds.
+LOOKED = np.linspace(0, 1, 11)[1:-1]
 
 
 def build(prepared: Prepared, method: str) -> dict[str, Any]:
@@ -33,6 +37,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
             for body in part.bodies
             for ring in body.nodes.rings
         ],
+        "riding": [_riding(part) for part in prepared.riding],
         "warnings": list(prepared.warnings),
     }
 
@@ -55,7 +60,7 @@ def build_chain(
         "version": legs[0]["version"],
         "method": legs[0]["method"],
         "legs": [
-            {"from": start, "to": end, "rings": leg["rings"]}
+            {"from": start, "to": end, "rings": leg["rings"], "riding": leg["riding"]}
             for leg, (start, end) in zip(legs, pairwise(names), strict=True)
         ],
         "warnings": list(warnings),
@@ -80,6 +85,18 @@ def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
             "cost": _number(matching.cost),
             "runner_up": _number(matching.runner_up),
             "confidence": matching.confidence,
+        },
+    }
+
+
+def _riding(part: RidingPart) -> dict[str, Any]:
+    """What is known of a shape that rides: nothing holds its outline but what it rides on."""
+    return {
+        "name": part.name,
+        "rings": len(part.rings),
+        "self_crossing": {
+            "times_checked": len(LOOKED),
+            "found": int(part.crossing(LOOKED).sum()),
         },
     }
 

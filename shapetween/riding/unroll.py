@@ -34,7 +34,7 @@ WHOLE, APART = 0.1, 1.0
 
 #: How much larger than drawn a line may get as it unrolls. Larger, and it leaves the picture;
 #: smaller, and it shrinks.
-WIDER = 1.25
+WIDER = 1.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)

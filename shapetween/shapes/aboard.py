@@ -5,12 +5,13 @@ from typing import TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Affine, Curves, Floats
+from shapetween.arrays import Affine, Curves, Floats, Mask
 from shapetween.blend import blend
-from shapetween.geometry.bezier import curve_lengths
+from shapetween.geometry.bezier import curve_lengths, flatten
 from shapetween.gradients import has_gradient, moved_style
 from shapetween.movement import Part
 from shapetween.paint import Style
+from shapetween.plane.check import simple_frames
 from shapetween.riding.planes import Plane
 from shapetween.riding.riders import Leaver, Rider, Tip
 from shapetween.riding.ties import Tied
@@ -21,6 +22,9 @@ __all__ = ["LonePart", "RidingPart", "ShownPart"]
 #: Share of its whole length at which a line that grows from its end has its full width. Earlier,
 #: and a round cap flashes up; later, and the line grows like a wedge.
 FULL_WIDTH = 0.25
+
+#: Chords of a curve where it is seen whether a ring crosses itself.
+CHORDS = 4
 
 
 AnyRider: TypeAlias = Rider | Leaver | Tip | Tied
@@ -88,6 +92,16 @@ class RidingPart(_Ridden):
     def style(self, t: float) -> Style:
         """Paint at one time."""
         return blend(*self.styles, t, self.motion)
+
+    def crossing(self, t: Floats) -> Mask:
+        """At which times (F,) one of the rings that bound an area crosses itself."""
+        found = np.zeros(len(t), dtype=bool)
+        if all(style.fill is None for style in self.styles):
+            return found
+        for rider in self.riders:
+            if isinstance(rider, Rider) and rider.closed:
+                found |= ~simple_frames(flatten(rider.curves(t), CHORDS))
+        return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,6 +18,7 @@ from shapetween.shapes.overlaps import shared_areas
 from shapetween.shapes.pairing import pair_shapes
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.ridden import brought, ride_fill, ride_line, ride_lone
+from shapetween.shapes.sharing import share_lines
 from shapetween.shapes.silhouette import Areas, covered_by
 from shapetween.shapes.stacking import stacked
 from shapetween.shapes.stroking import outlined
@@ -73,9 +74,14 @@ def move_together(
     flow = resting_flow(first, second)
     if rides:
         flow = drawing_flow(first, second, areas, boxes, settings)
-    hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
     if flow.exact:
         settled = [(k, k) for k in range(len(first))]
+    else:
+        shared = share_lines(first, second, flow, settled)
+        if len(shared.settled) > len(settled):
+            first, second, settled = shared.first, shared.second, shared.settled
+            areas = covered_by(first), covered_by(second)
+    hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
     pairing = pair_shapes(
         first,
         second,

@@ -49,7 +49,7 @@ def test_a_wire_that_is_bent_keeps_its_length_and_turns_evenly() -> None:
 def test_it_does_not_grow_out_of_the_picture() -> None:
     frames = on_the_way(arc(12.0), arc(-12.0), T)
     boxes = np.ptp(frames.reshape(len(T), -1, 2), axis=1)
-    assert np.linalg.norm(boxes, axis=1).max() <= 1.26 * np.linalg.norm(boxes[0])
+    assert np.linalg.norm(boxes, axis=1).max() <= 1.11 * np.linalg.norm(boxes[0])
 
 
 def test_a_turned_line_turns_as_a_whole() -> None:

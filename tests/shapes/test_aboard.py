@@ -1,14 +1,20 @@
 """Parts that ride: what they show of themselves in time."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from shapetween import report
 from shapetween.drawing import Drawing
 from shapetween.paint import Colour
 from shapetween.pipeline import Prepared, prepare
+from shapetween.riding.nearby import Parts
+from shapetween.riding.planes import AffinePlane
+from shapetween.riding.riders import riding
 from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart
 from shapetween.svg.smil import smil_svg
-from tests.drawings import BOX, area, drawing, square
+from tests.drawings import BOX, area, drawing, line, ring, square
 
 RED, BLUE, GREEN = Colour(1, 0, 0), Colour(0, 0, 1), Colour(0, 1, 0)
 ENDS = np.array([0.0, 1.0])
@@ -52,3 +58,24 @@ def test_a_small_patch_opens_and_a_large_one_fades() -> None:
         (half,) = np.ptp(lone.curves(np.array([0.5])).reshape(1, -1, 2), axis=1)
         np.testing.assert_allclose(half, side if fades else side / 2, rtol=0.01)
         assert lone.style(1.0) == patch.style
+
+
+def test_riders_that_cross_themselves_are_told() -> None:
+    source = square(0, 0, 10)
+    rests = AffinePlane(np.eye(2, 3), np.zeros(2))
+    late, early = np.array([0.8]), np.array([0.2])
+    for target, crosses in (
+        (ring([(0, 0), (10, 0), (0, 10), (10, 10)]), True),
+        (square(3, 4, 20), False),
+    ):
+        rider = riding(Parts(source.curves, target.curves, True), rests, (1.0, 1.0))
+        part = RidingPart.of("", (area(source).style,) * 2, (rider,), (True,), rests)
+        assert part.crossing(late).any() == crosses
+        assert not part.crossing(early).any()
+        drawn = replace(part, styles=(line((0, 0), (1, 1)).style,) * 2)
+        assert not drawn.crossing(late).any()
+
+
+def test_the_report_tells_of_riders(swapped: Prepared) -> None:
+    found = report.build(swapped, "projective")["riding"]
+    assert [(part["rings"], part["self_crossing"]["found"]) for part in found] == [(1, 0)] * 2
