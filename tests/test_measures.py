@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from shapetween.arrays import Floats, Points
 from shapetween.errors import MeshError, OptionError, ShapeError
@@ -29,7 +30,6 @@ from shapetween.measures import (
     travel,
 )
 from shapetween.mesh import MeshPair
-from shapetween.truth.camera import cube_views
 from tests.strategies import grid, rotation
 
 angle = st.floats(-np.pi, np.pi)
@@ -88,8 +88,18 @@ def test_paths_of_points() -> None:
 
 
 def views(seed: int) -> Points:
-    """A cube's points in the order of time, (5, 27, 2)."""
-    return cube_views(np.random.default_rng(seed))[1]
+    """A cube's points on a 3 x 3 x 3 grid, seen five times by a camera as it turns, (5, 27, 2)."""
+    rng = np.random.default_rng(seed)
+    step = [-0.5, 0.0, 0.5]
+    cube = np.stack(np.meshgrid(step, step, step), axis=-1).reshape(-1, 3)
+    axis, places = rng.normal(size=3), np.array([0, 0, 3]) + rng.uniform(-0.3, 0.3, (2, 3))
+    axis /= np.linalg.norm(axis)
+    frames = []
+    for t in np.linspace(0, 1, 5):
+        turn = Rotation.from_rotvec((0.4 + 0.8 * t) * axis)
+        x, y, z = (turn.apply(cube) + (1 - t) * places[0] + t * places[1]).T
+        frames.append(np.stack([x / z, y / z], axis=-1))
+    return np.array(frames)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -14,7 +14,7 @@ from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
 from shapetween.truth.case import TIMES, Case, texture_places
 
-__all__ = ["SCENES", "cube_views"]
+__all__ = ["SCENES"]
 
 #: Focal length, and how far away things are; a unit square then fills the view about as much as
 #: a photograph of a board does.
@@ -182,13 +182,6 @@ def _cases(
             yield Case(family, pair, vertices[1:-1], texture[1:-1], texture[0])
 
     return scenes
-
-
-def cube_views(rng: np.random.Generator) -> tuple[Floats, Points]:
-    """A cube's 27 points on a 3 x 3 x 3 grid, and where they are seen at 0, `TIMES` and 1."""
-    step = np.array([-0.5, 0.0, 0.5])
-    points = np.stack(np.meshgrid(step, step, step), axis=-1).reshape(-1, 3)
-    return points, _cube_turn(rng).seen(points, np.concatenate([[0.0], TIMES, [1.0]]))
 
 
 SCENES: dict[str, Callable[[np.random.Generator], Iterator[Case]]] = {
