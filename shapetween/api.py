@@ -1,7 +1,7 @@
 """The library's front door: two files in, a movement that can be asked for frames or written."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
@@ -39,7 +39,7 @@ class Morph:
     method : str
     """
 
-    prepared: Prepared
+    prepared: Prepared = field(repr=False)
     method: str
 
     @property
@@ -82,8 +82,10 @@ class Morph:
         )
 
     def write(self, path: str | PathLike[str], **settings: Any) -> None:
-        """Write the movement as one animated SVG; `settings` are those of `svg`."""
-        files.write_text(Path(path), self.svg(**settings))
+        """Write the movement as one animated SVG, named so; `settings` are those of `svg`."""
+        place = Path(path)
+        files.check_form(place, "a movement", (".svg",))
+        files.write_text(place, self.svg(**settings))
 
     def report(self) -> dict[str, Any]:
         """How the movement was found and what is known of its quality, ready for JSON."""
@@ -183,7 +185,7 @@ def morph(
     options = Options(
         method=method,
         quads=quads,
-        pins=tuple((float(p[0]), float(p[1]), float(p[2]), float(p[3])) for p in pins),
+        pins=tuple(_pin(pin) for pin in pins),
         matches=tuple(matches),
         meshes=(("", mesh),) if isinstance(mesh, MeshPair) else tuple(mesh),
         fit=fit,
@@ -194,6 +196,14 @@ def morph(
         drawings = opened(a, pictures), opened(b, pictures)
     names = name_of(a, "first drawing"), name_of(b, "second drawing")
     return Morph(prepare(*drawings, options, names=names, observe=observe), method)
+
+
+def _pin(given: Iterable[float]) -> Pin:
+    try:
+        ax, ay, bx, by = map(float, given)
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"pin: {given!r} is not (ax, ay, bx, by)") from error
+    return ax, ay, bx, by
 
 
 def opened(source: Source, pictures: bool = False) -> Drawing:

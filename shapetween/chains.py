@@ -1,7 +1,7 @@
 """More than two drawings, each moved to the next, in the frame of the first."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import ceil
 from os import PathLike
@@ -33,7 +33,7 @@ class Chain:
         Whether the last drawing is the first one again.
     """
 
-    legs: tuple[Morph, ...]
+    legs: tuple[Morph, ...] = field(repr=False)
     names: tuple[str, ...]
     closed: bool
 
@@ -90,8 +90,10 @@ class Chain:
         )
 
     def write(self, path: str | PathLike[str], **settings: Any) -> None:
-        """Write all of it as one animated SVG; `settings` are those of `svg`."""
-        files.write_text(Path(path), self.svg(**settings))
+        """Write all of it as one animated SVG, named so; `settings` are those of `svg`."""
+        place = Path(path)
+        files.check_form(place, "a movement", (".svg",))
+        files.write_text(place, self.svg(**settings))
 
     def report(self) -> dict[str, Any]:
         """How each leg was found and what is known of its quality, ready for JSON."""
@@ -131,6 +133,8 @@ def chain(
     ShapetweenError
         If a file cannot be read or an option does not fit; its text is one line.
     """
+    if isinstance(drawings, str | PathLike | Drawing):
+        raise OptionError(f"chain: {name_of(drawings, 'one drawing')}: expected a list of drawings")
     sources = list(drawings)
     if len(sources) < 2:
         raise OptionError(f"chain: {len(sources)} drawings; expected two or more")

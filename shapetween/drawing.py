@@ -1,6 +1,6 @@
 """A drawing: shapes in the order they are painted, in one frame of coordinates."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -54,7 +54,7 @@ class Drawing:
         What the file holds that could not be carried, one line each.
     """
 
-    shapes: tuple[Shape, ...]
+    shapes: tuple[Shape, ...] = field(repr=False)
     box: Box
     title: str = ""
     warnings: tuple[str, ...] = ()

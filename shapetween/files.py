@@ -16,6 +16,7 @@ from shapetween.errors import BudgetError, InputError, OptionError
 __all__ = [
     "MAX_BYTES",
     "check_file",
+    "check_form",
     "check_outputs",
     "fresh_file",
     "fresh_frames",
@@ -108,6 +109,37 @@ def check_file(path: Path) -> None:
     with _reported(path):
         if path.is_dir():
             raise OptionError(f"{path}: is a folder; expected the name of a file")
+
+
+def check_form(path: Path, what: str, endings: Sequence[str]) -> str:
+    """Check before any work how a file is to be written, by its ending.
+
+    Parameters
+    ----------
+    path : Path
+        A pipe or a device may have any ending, or none.
+    what : str
+        What is written, for the message.
+    endings : sequence of str
+        At least one, with their points.
+
+    Returns
+    -------
+    str
+        The ending in lower case.
+
+    Raises
+    ------
+    OptionError
+        If it is none of `endings`, or a folder has that name.
+    """
+    check_file(path)
+    form = path.suffix.lower()
+    if form not in endings and not is_device(path):
+        *others, last = endings
+        accepted = f"{', '.join(others)} or {last}" if others else last
+        raise OptionError(f"{path}: {what} is written as {accepted}")
+    return form
 
 
 def is_device(path: Path) -> bool:

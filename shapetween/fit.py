@@ -3,12 +3,13 @@
 .. [SVG2] *Scalable Vector Graphics 2*, section 8.6, preserveAspectRatio.
 """
 
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
 from shapetween.arrays import Affine, Points
 from shapetween.drawing import Drawing
+from shapetween.errors import OptionError
 
 __all__ = ["Fit", "fit_matrix", "inverted", "mapped"]
 
@@ -23,7 +24,14 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
     -------
     (2, 3) float64
         Scaled evenly, and centred, as ``xMidYMid meet`` asks ([SVG2]_).
+
+    Raises
+    ------
+    OptionError
+        If there is no such fit.
     """
+    if fit not in get_args(Fit):
+        raise OptionError(f"fit: {fit!r} is none of {', '.join(get_args(Fit))}")
     if fit == "none":
         return np.eye(2, 3)
     if fit == "geometry":

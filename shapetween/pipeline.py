@@ -1,7 +1,7 @@
 """From two drawings to the movement between them, one stage after another."""
 
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from shapetween.arrays import Affine, Points
 from shapetween.drawing import Box, Drawing, Shape
 from shapetween.errors import OptionError
 from shapetween.fit import Fit, fit_matrix, mapped
+from shapetween.interpolate import check_method
 from shapetween.mesh import MeshPair
 from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
@@ -61,6 +62,9 @@ class Options:
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
+        check_method(self.method)
+        if self.folds not in get_args(Folds):
+            raise OptionError(f"folds: {self.folds!r} is none of {', '.join(get_args(Folds))}")
         if self.quads is not None and self.quads < 1:
             raise OptionError(f"quads: {self.quads} is no count; give 1 or more")
         if not np.isfinite(np.array(self.pins, dtype=np.float64)).all():

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -91,7 +92,38 @@ def test_a_file_that_is_not_there_is_named() -> None:
         st.morph("none.svg", "b.svg")
 
 
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"method": "projektive"}, "method: 'projektive' is none of"),
+        ({"fit": "veiw"}, "fit: 'veiw' is none of view, geometry, none"),
+        ({"folds": False}, "folds: False is none of prevent, allow"),
+        ({"quads": 0}, "quads: 0"),
+        ({"pins": [(1, 2)]}, r"pin: \(1, 2\) is not \(ax, ay, bx, by\)"),
+        ({"pins": [((1, 2), (3, 4))]}, r"is not \(ax, ay, bx, by\)"),
+        ({"pins": [(1, 2, 3, float("inf"))]}, "finite"),
+    ],
+)
+def test_options_that_are_none_are_refused(options: dict[str, Any], says: str) -> None:
+    """Where no mesh is needed too, for lines alone."""
+    lines = drawing(line((0, 0), (50, 50)))
+    with pytest.raises(OptionError, match=says):
+        st.morph(lines, lines, **options)
+
+
+def test_only_svg_is_written(moved: st.Morph, tmp_path: Path) -> None:
+    with pytest.raises(OptionError, match=r"out\.webp: a movement is written as \.svg$"):
+        moved.write(tmp_path / "out.webp")
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_a_prompt_shows_is_short(moved: st.Morph) -> None:
+    assert repr(moved) == "Morph(method='projective')"
+    assert len(repr(moved.at(0.5))) < 200
+
+
 def test_public_names_are_there() -> None:
+    assert set(st.__all__) <= set(dir(st))
     for name in st.__all__:
         assert getattr(st, name) is not None
     with pytest.raises(AttributeError, match="no attribute 'nope'"):

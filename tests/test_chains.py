@@ -155,6 +155,8 @@ def test_a_closed_round_rests_once_at_its_first_drawing(closed: st.Chain) -> Non
 
 
 def test_writing(closed: st.Chain, tmp_path: Path) -> None:
+    with pytest.raises(OptionError, match=r"is written as \.svg"):
+        closed.write(tmp_path / "out.gif")
     closed.write(tmp_path / "out.svg", hold=0.5, loop="repeat")
     text = (tmp_path / "out.svg").read_text("utf-8")
     assert text == closed.svg(hold=0.5, loop="repeat")
@@ -184,6 +186,8 @@ def test_what_cannot_be_done_is_said(files: dict[str, Path]) -> None:
     for few in ([], [files["a"]]):
         with pytest.raises(OptionError, match=f"{len(few)} drawings; expected two or more"):
             st.chain(few)
+    with pytest.raises(OptionError, match="expected a list of drawings"):
+        st.chain(str(files["a"]))
     with pytest.raises(InputError, match=r"none\.svg: there is no such file"):
         st.chain([files["a"], files["b"], files["a"].with_name("none.svg")])
 

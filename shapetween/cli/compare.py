@@ -4,11 +4,11 @@ from pathlib import Path
 
 import click
 
+from shapetween import files
 from shapetween.cli.options import (
     A,
     B,
     Common,
-    check_form,
     common,
     duration_option,
     out_option,
@@ -34,7 +34,7 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
     matching and one mesh. A method that fails is shown with the reason in its place.
     """
     path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
-    form = check_form(path, "a comparison", (".html", ".htm", ".svg", ".json"))
+    form = files.check_form(path, "a comparison", (".html", ".htm", ".svg", ".json"))
     with Progress(quiet=common.quiet) as run:
         with run("import"):
             from shapetween.compare import compare as compare_methods

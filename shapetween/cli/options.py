@@ -25,7 +25,6 @@ __all__ = [
     "A",
     "B",
     "Common",
-    "check_form",
     "common",
     "duration_option",
     "easing_option",
@@ -98,24 +97,6 @@ def method_option(told: str) -> Option:
 def report_option(told: str) -> Option:
     """A file beside the output, for figures."""
     return click.option("--report", type=PATH, metavar="FILE.json", help=told)
-
-
-def check_form(path: Path, what: str, endings: Sequence[str]) -> str:
-    """The ending of a file to write, in lower case; a pipe or a device may have any or none.
-
-    Raises
-    ------
-    OptionError
-        If it is none of `endings`, or the path is that of a folder; `what` names what is written.
-    """
-    from shapetween import files
-
-    files.check_file(path)
-    form = path.suffix.lower()
-    if form not in endings and not files.is_device(path):
-        accepted = f"{', '.join(endings[:-1])} or {endings[-1]}"
-        raise OptionError(f"{path}: {what} is written as {accepted}")
-    return form
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,12 +5,12 @@ from typing import Any, Literal
 
 import click
 
+from shapetween import files
 from shapetween.cli.film import PICTURES, moving_pictures, still_pictures
 from shapetween.cli.options import (
     A,
     B,
     Common,
-    check_form,
     common,
     duration_option,
     easing_option,
@@ -108,7 +108,7 @@ def morph(
     easing_function(settings["easing"])
     drawings = [a, b, *more]
     path = out or Path(f"{_joined(drawings)}.svg")
-    pictures = check_form(path, "a movement", (".svg", *PICTURES)) in PICTURES
+    pictures = files.check_form(path, "a movement", (".svg", *PICTURES)) in PICTURES
     if pictures:
         asked = None if keyframes == "auto" else keyframes
         for_svg = ("--keyframes", asked), ("--precision", precision)
@@ -232,7 +232,7 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
     if b is None:
         raise click.UsageError("Missing argument 'B'.")
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
-    as_json = check_form(path, "a mesh", (".svg", ".json")) == ".json"
+    as_json = files.check_form(path, "a mesh", (".svg", ".json")) == ".json"
     with Progress(quiet=common.quiet) as run:
         result = common.prepare(a, b, path, run)
         with run("write"):

@@ -11,7 +11,7 @@ from shapetween.interpolate.linear import Linear
 from shapetween.interpolate.projective import PaperProjective, Projective
 from shapetween.mesh import MeshPair
 
-__all__ = ["INTERIORS", "METHODS", "Tween", "tween"]
+__all__ = ["INTERIORS", "METHODS", "Tween", "check_method", "tween"]
 
 METHODS: dict[str, Callable[[MeshPair], Tween]] = {
     "projective": Projective,
@@ -32,6 +32,20 @@ INTERIORS: dict[str, Interior] = {
 """How each method carries what is inside a quad."""
 
 
+def check_method(method: str) -> None:
+    """Check that a name is one of `METHODS`.
+
+    Raises
+    ------
+    OptionError
+        If it is not.
+    """
+    if method not in METHODS:
+        near = difflib.get_close_matches(method, METHODS, n=1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise OptionError(f"method: {method!r} is none of {', '.join(METHODS)}{hint}")
+
+
 def tween(pair: MeshPair, method: str = "projective") -> Tween:
     """Prepare a mesh pair's movement by one of `METHODS`.
 
@@ -42,8 +56,5 @@ def tween(pair: MeshPair, method: str = "projective") -> Tween:
     MeshError
         If a face has no in-between by this method.
     """
-    if method not in METHODS:
-        near = difflib.get_close_matches(method, METHODS, n=1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise OptionError(f"method: {method!r} is none of {', '.join(METHODS)}{hint}")
+    check_method(method)
     return METHODS[method](pair)
