@@ -4,7 +4,6 @@ from pathlib import Path
 
 import click
 
-from shapetween import files
 from shapetween.cli.options import (
     A,
     B,
@@ -33,6 +32,8 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
     First comes --method where folds are prevented, then every method by itself. All share one
     matching and one mesh. A method that fails is shown with the reason in its place.
     """
+    from shapetween import files
+
     path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
     form = files.check_form(path, "a comparison", (".html", ".htm", ".svg", ".json"))
     with Progress(quiet=common.quiet) as run:

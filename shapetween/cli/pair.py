@@ -5,7 +5,6 @@ from typing import Any, Literal
 
 import click
 
-from shapetween import files
 from shapetween.cli.film import PICTURES, moving_pictures, still_pictures
 from shapetween.cli.options import (
     A,
@@ -103,6 +102,7 @@ def morph(
     With more drawings it goes on from B to C and so forth, all in the frame of A. Name A again at
     the end to close the round; with --loop repeat it then never jumps.
     """
+    from shapetween import files
     from shapetween.frames import easing_function
 
     easing_function(settings["easing"])
@@ -231,6 +231,8 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
         raise OptionError("--over: expected quads or a mesh in one JSON file, or two SVGs")
     if b is None:
         raise click.UsageError("Missing argument 'B'.")
+    from shapetween import files
+
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
     as_json = files.check_form(path, "a mesh", (".svg", ".json")) == ".json"
     with Progress(quiet=common.quiet) as run:

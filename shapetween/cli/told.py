@@ -6,7 +6,6 @@ from pathlib import Path
 import click
 
 from shapetween.errors import OptionError
-from shapetween.files import is_device
 
 __all__ = ["warn", "wrote"]
 
@@ -27,6 +26,8 @@ def wrote(place: Path, what: str = "") -> None:
     OptionError
         If the message cannot be shown, as on a full disk.
     """
+    from shapetween.files import is_device
+
     if is_device(place):
         return
     try:
