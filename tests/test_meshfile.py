@@ -15,6 +15,8 @@ from shapetween.mesh import MeshPair
 from shapetween.meshfile import check_mesh, dump_meshes, load_meshes
 from tests.strategies import grid, rotation
 
+#: What ids may hold, and JSON must escape.
+NAMES = "aZ0 _-\"\\/\n\t\x00é☃🐎\ud800"
 VERTICES, QUADS = grid(3, 2)
 BORDER = np.array([0, 1, 2, 3, 7, 11, 10, 9, 8, 4])
 
@@ -36,7 +38,7 @@ def document(**changes: Any) -> dict[str, Any]:
     st.integers(1, 3),
     st.floats(-3, 3),
     st.sampled_from([1e-3, 1.0, 1e6]),
-    st.lists(st.text(min_size=0, max_size=8), min_size=1, max_size=3, unique=True),
+    st.lists(st.text(NAMES, max_size=8), min_size=1, max_size=3, unique=True),
 )
 def test_meshes_read_back(
     columns: int, rows: int, turn: float, size: float, names: list[str]
