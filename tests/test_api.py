@@ -56,6 +56,8 @@ def test_a_mesh_goes_round(pair: tuple[Path, Path], moved: st.Morph) -> None:
     assert again.report()["rings"][0]["found"] == "given"
     assert len(json.loads(moved.mesh_json())["quads"]) == len(mesh.quads)
     assert "<svg" in moved.mesh_svg()
+    with pytest.raises(OptionError, match="pin 1,1: lies on a shape whose mesh says already"):
+        st.morph(*pair, mesh=mesh, pins=[(1, 1, 2, 2)])
 
 
 def test_meshes_of_several_pieces_go_round() -> None:

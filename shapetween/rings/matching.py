@@ -8,6 +8,7 @@ from shapetween.arclength import ArcLength
 from shapetween.arrays import Points
 from shapetween.correspond import Correspondence, correspond
 from shapetween.correspond.register import register
+from shapetween.errors import OptionError
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.rotation import rotations
 from shapetween.mesh import MeshPair
@@ -79,6 +80,11 @@ def match_outer(
         What is wrong with the outlines, the pins, the mesh.
     """
     if mesh is not None:
+        if len(pins):
+            raise OptionError(
+                f"pin {pins[0, 0]:.6g},{pins[0, 1]:.6g}: lies on a shape whose mesh says already "
+                "what goes where; expected one or the other"
+            )
         return _given_mesh(source, target, mesh, observe)
     if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
         found = _by_coarse_shapes(source, target, quads, upright, observe, corners)
