@@ -207,7 +207,7 @@ def test_what_a_worker_makes_is_what_morph_writes(tmp_path: Path) -> None:
     assert (tmp_path / "1.svg").read_text("utf-8") == first.svg(precision=1)
     assert outcome.entry["report"] == first.report()
     (tmp_path / "mesh.json").write_text(first.mesh_json(), "utf-8")
-    job = Job(a, b, Path("2.svg"), tmp_path / "mesh.json", options)
+    job = Job(a, b, Path("2.svg"), tmp_path / "mesh.json", {"folds": "allow"})
     (outcome,) = run_batch([job], tmp_path, executor=Here())
     assert outcome.entry["report"]["rings"][0]["quads"] == first.report()["rings"][0]["quads"]
     header, row = (tmp_path / "summary.csv").read_text("utf-8").splitlines()
