@@ -41,8 +41,9 @@ MIN_TURN = 0.25
 DISTINCT = 0.03
 
 #: Drawings are meant upright: a turned frame must match this much better than the upright one.
-#: Higher turns shapes that only look alike when turned, lower misses the turned ones.
-FRAME_RATIO = 0.7
+#: Higher turns trees upside down; lower leaves upright what is the same but drawn another way, as
+#: a plane that flies up and one that flies to the side.
+FRAME_RATIO = 0.73
 
 #: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
