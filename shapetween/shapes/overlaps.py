@@ -11,7 +11,7 @@ from shapetween.shapes.silhouette import Areas
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["shared_areas"]
+__all__ = ["laid_on", "shared_areas"]
 
 #: Margin about every shape, as a share of the drawing: lines and specks that lie side by side count
 #: as near. Larger makes all small things alike.
@@ -33,9 +33,8 @@ def shared_areas(areas: tuple[Areas, Areas], flow: Flow) -> Floats:
     """
     import shapely
 
-    brought = np.array([_brought(area, flow) for area in areas[0]], dtype=object)
+    coarse = laid_on(areas, flow)
     scale = flow.lanes[0].extents[1]
-    coarse = [shapely.simplify(side, STRAIGHT * scale) for side in (brought, areas[1])]
     wide = [shapely.buffer(side, MARGIN * scale, quad_segs=2) for side in coarse]
     result = np.zeros((len(areas[0]), len(areas[1])))
     i, j = shapely.STRtree(wide[1]).query(wide[0], predicate="intersects")
@@ -43,6 +42,15 @@ def shared_areas(areas: tuple[Areas, Areas], flow: Flow) -> Floats:
     either = shapely.area(wide[0])[i] + shapely.area(wide[1])[j] - common
     result[i, j] = common / np.where(either > 0, either, 1.0)
     return result
+
+
+def laid_on(areas: tuple[Areas, Areas], flow: Flow) -> tuple[Areas, Areas]:
+    """What shapes of two drawings cover where the first lies on the second, a little coarser."""
+    import shapely
+
+    brought = np.array([_brought(area, flow) for area in areas[0]], dtype=object)
+    near = STRAIGHT * flow.lanes[0].extents[1]
+    return shapely.simplify(brought, near), shapely.simplify(areas[1], near)
 
 
 def _brought(area: "shapely.Geometry", flow: Flow) -> "shapely.Geometry":

@@ -4,6 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from shapetween.drawing import Shape
 from shapetween.paint import Colour, Gradient, Paint
 from shapetween.shapes.naming import is_given
 
-__all__ = ["LEFT", "Pairing", "Thing", "pair_shapes", "pair_things"]
+__all__ = ["LEFT", "Pairing", "Settled", "Thing", "pair_shapes", "pair_things"]
 
 #: What a move by the own size, a factor e in size, black to white in paint, bottom to top in order,
 #: fill against line, and open against closed cost. Distance counts most: what stays near its place
@@ -80,6 +81,10 @@ class Pairing:
     pairs: tuple[tuple[int, int], ...]
     first_only: tuple[int, ...]
     second_only: tuple[int, ...]
+
+
+Settled: TypeAlias = tuple[tuple[Shape, ...], tuple[Shape, ...], tuple[tuple[int, int], ...]]
+"""Shapes of both drawings in paint order, and which of them become each other in any case."""
 
 
 def pair_things(

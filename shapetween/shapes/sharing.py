@@ -21,8 +21,9 @@ from shapetween.paint import Gradient
 from shapetween.rings.matched import cut_curves
 from shapetween.shapes.flow import Flow
 from shapetween.shapes.naming import is_given
+from shapetween.shapes.pairing import Settled
 
-__all__ = ["Shared", "share_lines"]
+__all__ = ["share_lines"]
 
 #: Distance between stations on lines, and of two stretches up to which they lie on each other, as
 #: shares of the drawing.
@@ -47,23 +48,6 @@ WHOLE, WHOLE_ALONE = 0.7, 0.5
 
 #: Stations of one drawing past which nothing is cut.
 MOST_STATIONS = 4000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Shared:
-    """Shapes of both drawings, some of whose lines are cut.
-
-    Attributes
-    ----------
-    first, second : tuple of Shape
-        In paint order.
-    settled : tuple of (int, int)
-        What becomes each other.
-    """
-
-    first: tuple[Shape, ...]
-    second: tuple[Shape, ...]
-    settled: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -108,7 +92,7 @@ def share_lines(
     second: Sequence[Shape],
     flow: Flow,
     settled: Sequence[tuple[int, int]],
-) -> Shared:
+) -> Settled:
     """Cut lines of two drawings into stretches that become each other, and what is left of them.
 
     Only where a silhouette moves: its plane lays one drawing on the other.
@@ -122,7 +106,7 @@ def share_lines(
     settled : sequence of (int, int)
         Shapes that become each other anyway, and are not cut; nor are those of one name.
     """
-    same = Shared(tuple(first), tuple(second), tuple(settled))
+    same = tuple(first), tuple(second), tuple(settled)
     if not flow.bodies:
         return same
     extent = max(lane.extents[1] for lane in flow.lanes)
@@ -309,7 +293,7 @@ def _cut(
     sides: Sequence[Sequence[_Line]],
     cuts: Sequence[dict[int, list[_Piece]]],
     stretches: Sequence[_Stretch],
-) -> Shared:
+) -> Settled:
     """Both drawings' shapes with their lines in pieces."""
     made: list[tuple[Shape, ...]] = []
     places: list[dict[int, int]] = []
@@ -336,7 +320,7 @@ def _cut(
         of_stretch.append(stretch)
     pairs = [(places[0][i], places[1][j]) for i, j in settled]
     pairs += [(of_stretch[0][n], of_stretch[1][n]) for n in range(len(stretches))]
-    return Shared(made[0], made[1], tuple(pairs))
+    return made[0], made[1], tuple(pairs)
 
 
 def _apart(outline: Outline, pieces: Sequence[_Piece]) -> list[Outline]:

@@ -13,13 +13,14 @@ from shapetween.paint import Style
 from shapetween.shapes.aboard import RidingPart, ShownPart
 from shapetween.shapes.fill import FillSettings, morph_fill
 from shapetween.shapes.flow import Flow, drawing_flow, resting_flow
+from shapetween.shapes.gathering import gather_areas
 from shapetween.shapes.junctions import with_hanging
 from shapetween.shapes.overlaps import shared_areas
 from shapetween.shapes.pairing import pair_shapes
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.ridden import brought, ride_fill, ride_line, ride_lone
 from shapetween.shapes.sharing import share_lines
-from shapetween.shapes.silhouette import Areas, covered_by
+from shapetween.shapes.silhouette import Areas, covered, covered_by
 from shapetween.shapes.stacking import stacked
 from shapetween.shapes.stroking import outlined
 from shapetween.shapes.tying import tied
@@ -76,11 +77,11 @@ def move_together(
         flow = drawing_flow(first, second, areas, boxes, settings)
     if flow.exact:
         settled = [(k, k) for k in range(len(first))]
-    else:
-        shared = share_lines(first, second, flow, settled)
-        if len(shared.settled) > len(settled):
-            first, second, settled = shared.first, shared.second, shared.settled
-            areas = covered_by(first), covered_by(second)
+    elif rides and not settings.meshes:  # meshes are for shapes as they are drawn
+        drawn = first, second
+        first, second, settled = gather_areas(first, second, areas, flow, settled)
+        first, second, settled = share_lines(first, second, flow, settled)
+        areas = _covered_now(first, drawn[0], areas[0]), _covered_now(second, drawn[1], areas[1])
     hidden = [_hidden(side, box) for side, box in zip((first, second), boxes, strict=True)]
     pairing = pair_shapes(
         first,
@@ -119,6 +120,12 @@ def move_together(
             shape = _rooted(target, second, areas[1])
             parts.append(ride_lone(shape, flow, True, host, fades=fades))
     return tied(parts), _carrier(flow), tuple(said)
+
+
+def _covered_now(shapes: Sequence[Shape], drawn: Sequence[Shape], areas: Areas) -> Areas:
+    """What shapes cover, most of which are drawn ones, of which it is known."""
+    known = {id(shape): area for shape, area in zip(drawn, areas, strict=True)}
+    return np.array([known.get(id(s)) or covered(s) for s in shapes], dtype=object)
 
 
 def _host(

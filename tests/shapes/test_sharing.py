@@ -1,6 +1,7 @@
 """Lines are cut where what they lie on changes, and only there."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from shapetween.riding.planes import AffinePlane
 from shapetween.rings.body import Carried
 from shapetween.shapes import sharing
 from shapetween.shapes.flow import Flow, Lane
-from shapetween.shapes.sharing import Shared, share_lines
+from shapetween.shapes.sharing import share_lines
 from tests.drawings import drawing, line, square
 
 BOX = square(0, 0, 100).curves.reshape(-1, 2)
@@ -36,8 +37,14 @@ def round_line(*corners: tuple[float, float], name: str = "") -> Shape:
     return replace(shape, style=replace(shape.style, stroke=stroke))
 
 
+class Shared(NamedTuple):
+    first: tuple[Shape, ...]
+    second: tuple[Shape, ...]
+    settled: tuple[tuple[int, int], ...]
+
+
 def shared(first: list[Shape], second: list[Shape], **options: list[tuple[int, int]]) -> Shared:
-    return share_lines(first, second, FLOW, options.get("settled", []))
+    return Shared(*share_lines(first, second, FLOW, options.get("settled", [])))
 
 
 def lengths(shapes: tuple[Shape, ...]) -> list[float]:
@@ -129,8 +136,7 @@ def test_settled_pairs_keep_their_shapes_behind_cut_lines() -> None:
 
 
 def test_without_a_silhouette_nothing_is_cut() -> None:
-    found = share_lines([BACK], PARTS, replace(FLOW, bodies=()), [])
-    assert found.first == (BACK,)
+    assert share_lines([BACK], PARTS, replace(FLOW, bodies=()), [])[0] == (BACK,)
 
 
 def test_too_many_lines_are_not_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
