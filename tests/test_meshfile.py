@@ -16,7 +16,7 @@ from shapetween.meshfile import check_mesh, dump_meshes, load_meshes
 from tests.strategies import grid, rotation
 
 #: What ids may hold, and JSON must escape.
-NAMES = "aZ0 _-\"\\/\n\t\x00é☃🐎\ud800"
+NAMES = 'aZ0 _-"\\/\n\t\x00é☃🐎\ud800'
 VERTICES, QUADS = grid(3, 2)
 BORDER = np.array([0, 1, 2, 3, 7, 11, 10, 9, 8, 4])
 

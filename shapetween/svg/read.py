@@ -103,7 +103,8 @@ def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> 
         document.losses.add("a group's opacity was given to each shape: overlaps will show")
     losses = document.losses.lines()
     if not shapes:
-        raise InputError(name, "; ".join(["holds nothing that can be drawn", *losses]))
+        nothing = "holds nothing that can be drawn; expected shapes with a fill or a stroke"
+        raise InputError(name, "; ".join([nothing, *losses]))
     return Drawing(tuple(shapes), seen or _drawn_box(shapes), title_of(root), tuple(losses))
 
 

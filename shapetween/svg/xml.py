@@ -165,7 +165,9 @@ def _parsed(text: str, name: str, limits: Limits) -> Element:
         line, column = error.position
         what = str(error).partition(": line")[0]
         raise InputError(
-            name, f"is not well-formed XML: {what} at line {line}, column {column + 1}"
+            name,
+            f"is not well-formed XML: {what} at line {line}, column {column + 1}; "
+            "expected an SVG drawing",
         ) from None
     except DefusedXmlException:
         raise InputError(

@@ -22,10 +22,10 @@ EXTERNAL = (
 #: A first drawing, and what the error says of it besides its name.
 DRAWINGS = {
     "empty": ("", "empty"),
-    "not-xml": ("a picture of a cat", "not well-formed XML"),
+    "not-xml": ("a picture of a cat", "expected an SVG drawing"),
     "cut-off": (svg(SQUARE)[:-7], "line 1"),
     "another-kind-of-xml": ("<html><body/></html>", "svg"),
-    "no-shape": (svg(""), "nothing that can be drawn"),
+    "no-shape": (svg(""), "nothing that can be drawn; expected shapes with a fill"),
     "text-only": (svg("<text>hi</text>"), "text"),
     "zero-area": (svg('<path d="M0 0 L5 5 L9 9Z"/>'), ""),
     "one-point": (svg('<path d="M5 5Z"/>'), "nothing that can be drawn"),
