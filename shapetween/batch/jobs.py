@@ -2,6 +2,7 @@
 
 import csv
 import difflib
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -221,7 +222,7 @@ def _listed(folder: Path) -> list[Path]:
 
 
 def check_jobs(jobs: Iterable[Job], folder: Path, reserved: Iterable[Path]) -> None:
-    """Check that what will be written overwrites no input, nor each other.
+    """Check that what will be written is in its folder, and overwrites no input nor each other.
 
     Parameters
     ----------
@@ -234,16 +235,19 @@ def check_jobs(jobs: Iterable[Job], folder: Path, reserved: Iterable[Path]) -> N
     Raises
     ------
     OptionError
-        If it would.
+        If it would not be so.
     """
     listed = list(jobs)
     inputs = {path.resolve() for job in listed for path in (job.a, job.b, job.mesh) if path}
     own = {path.resolve() for path in reserved}
     seen: set[Path] = set()
+    home = Path(os.path.normpath(folder.absolute()))  # links in it may lead where they like
     for place in own & inputs:
         raise OptionError(f"{place}: is an input; expected another folder for the output")
     for job in listed:
         place = (folder / job.out).resolve()
+        if not Path(os.path.normpath(home / job.out)).is_relative_to(home):
+            raise OptionError(f"{job.out}: is not in {folder}; expected a name inside")
         if place in inputs:
             raise OptionError(f"{job.out}: is an input; expected another name for the output")
         if place in seen or place in own:

@@ -96,6 +96,9 @@ def test_nothing_is_overwritten(tmp_path: Path) -> None:
     check_jobs([Job(a, b, Path("c.svg")), Job(a, b, Path("d.svg"))], tmp_path, own)
     with pytest.raises(OptionError, match="is an input"):
         check_jobs([Job(a, b, Path("in/../b.svg"))], tmp_path, own)
+    for outside in (Path("../c.svg"), Path("in/../../c.svg"), tmp_path.parent / "c.svg"):
+        with pytest.raises(OptionError, match=r"c\.svg: is not in .*; expected a name inside"):
+            check_jobs([Job(a, b, outside)], tmp_path, own)
     with pytest.raises(OptionError, match="written twice"):
         check_jobs([Job(a, b, Path("c.svg")), Job(a, b, Path("./c.svg"))], tmp_path, own)
     with pytest.raises(OptionError, match=r"summary\.csv: is an input"):
