@@ -33,6 +33,11 @@ TOLERATED = 0.03
 LEAST_ASPECT = 1e-7
 #: Relative difference below which two measures of shapes are the same.
 SAME = 1e-9
+#: Steps of the grid, in a shape's size, that nodes are put on while the plane is laid about them.
+#: Untangling what resists turns rounding into other meshes, and the same drawings backwards in
+#: time, or in other units, differ by rounding. More and it shows again; fewer and nodes that lie
+#: close become one.
+STEPS = 2.0**30
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,7 +130,7 @@ def plane_mesh(
     ShapeError
         If the nodes are not as many on both sides.
     OutlineError
-        If an area is not positive, or two nodes of a ring coincide.
+        If an area is not positive, or two nodes coincide.
     MeshError
         If rings cross.
     """
@@ -134,8 +139,6 @@ def plane_mesh(
         raise ShapeError(f"{len(a)} nodes and {len(b)}; they must be as many, at least 3")
     loops = tuple(frozen(r, np.intp, ndim=1) for r in rings or [np.arange(len(a))])
     edges = ring_edges(loops)
-    if any((p[edges[:, 0]] == p[edges[:, 1]]).all(axis=1).any() for p in (a, b)):
-        raise OutlineError("two neighbouring nodes of an outline coincide")
     poses = tuple(Pose.of(p, float(sum(polygon_area(p[r]) for r in loops))) for p in (a, b))
     ordered = _leads(poses[0].normalise(a), poses[1].normalise(b), edges)
     first, second = [poses[0].normalise(a), poses[1].normalise(b)][:: 1 if ordered else -1]
@@ -143,9 +146,13 @@ def plane_mesh(
     vertices, layout = _fit(first, second, body, loops, refine)
     if not ordered:
         vertices, body = vertices[::-1], body.reversed()
+    source, target = (
+        np.concatenate([nodes, pose.place(points[len(nodes) :])])
+        for nodes, pose, points in zip((a, b), poses, vertices, strict=True)
+    )
     return PlaneMesh(
-        poses[0].place(vertices[0]),
-        poses[1].place(vertices[1]),
+        source,
+        target,
         layout.triangles,
         layout.inside,
         loops,
@@ -204,7 +211,12 @@ def _fit(
     exactly.
     """
     forth, back = body.matrix, np.linalg.inv(body.matrix)
-    shapes = (first, second @ back.T), (second, first @ forth.T)
+    shapes = tuple(
+        (np.round(STEPS * rest) / STEPS, np.round(STEPS * other) / STEPS)
+        for rest, other in ((first, second @ back.T), (second, first @ forth.T))
+    )
+    if any(len(np.unique(as_complex(p))) < len(p) for pair in shapes for p in pair):
+        raise OutlineError("two nodes of the outlines coincide")
     best: _Attempt | None = None
     for attempt in _attempts(shapes, rings, refine):
         if best is None or attempt.turned < best.turned:

@@ -58,22 +58,28 @@ def affine_between(source: Points, target: Points) -> tuple[Floats, Floats]:
     angle : () float64
     stretch : (2, 2) float64
         Symmetric, positive definite. Where the best affine map turns the plane over, or stretches
-        one way far more than the other without fitting, or the points lie on one line, that of
-        the best similarity.
+        one way far more than the other without fitting, or the points hardly match one way, or
+        lie on one line, that of the best similarity.
+
+    Notes
+    -----
+    Each set is made round, its second moments those of a disc, and the round sets are turned onto
+    each other. Least squares would not do: the map back is then not the inverse of the map forth.
     """
     p, q = source - source.mean(axis=0), target - target.mean(axis=0)
-    solution, _, _, spread = np.linalg.lstsq(p, q, rcond=None)
-    linear = solution.T
-    d = np.linalg.svd(linear, compute_uv=False)
-    misfit = np.linalg.norm(p @ linear.T - q) / np.linalg.norm(q)
-    sound = np.linalg.det(linear) > 0 and spread[1] > FLAT * spread[0]
-    sound &= d[0] <= MAX_STRETCH * d[1] or misfit < EXACT_FIT
-    if not sound:
-        dot, turned = float((p * q).sum()), float(cross(p, q).sum())
-        size = np.hypot(dot, turned) / float((p * p).sum())
-        size = size or np.linalg.norm(q) / np.linalg.norm(p)
-        linear = size * rotations(np.asarray(np.arctan2(turned, dot)))
-    return polar(linear)
+    (round_p, spread_p, axes_p), (round_q, spread_q, axes_q) = (
+        np.linalg.svd(points, full_matrices=False) for points in (p, q)
+    )
+    if all(spread[1] > FLAT * spread[0] for spread in (spread_p, spread_q)):
+        left, alike, right = np.linalg.svd(round_q.T @ round_p)
+        linear = (axes_q.T * spread_q) @ left @ right @ (axes_p.T / spread_p).T
+        d = np.linalg.svd(linear, compute_uv=False)
+        even = all(values[0] <= MAX_STRETCH * values[1] for values in (d, alike))
+        exact = np.linalg.norm(p @ linear.T - q) < EXACT_FIT * np.linalg.norm(q)
+        if np.linalg.det(linear) > 0 and (even or exact):
+            return polar(linear)
+    turn = np.arctan2(cross(p, q).sum(), (p * q).sum())
+    return np.asarray(turn), np.linalg.norm(q) / np.linalg.norm(p) * np.eye(2)
 
 
 class Carrier:

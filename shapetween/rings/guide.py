@@ -34,6 +34,9 @@ LARGEST_TURN, LARGEST_AREA = 1.0, 6.0
 #: reads the homography: on the very edge it may belong to no side.
 INWARD = 0.02
 
+#: Relative difference below which two distances are the same.
+SAME = 1e-9
+
 
 def usable_quads(pair: MeshPair, tween: Tween) -> Mask:
     """Which quads move well enough by their homographies to lead others, (Q,).
@@ -42,10 +45,12 @@ def usable_quads(pair: MeshPair, tween: Tween) -> Mask:
     """
     moving = tween.vertices(np.linspace(0, 1, SHAPE_TIMES))[:, pair.quads]
     formed = (corner_sines(moving) > LEAST_SINE).all(axis=(0, 2))
-    looked = moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)][1:]
-    weights = corner_weights(np.broadcast_to(moving[0], looked.shape), looked)
+    looked = moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)]
+    # Seen from both ends, or backwards in time other quads would lead.
+    ends, looked = np.broadcast_arrays(looked[[0, -1], None], looked)
+    weights = corner_weights(ends, looked)
     least, most = weights.min(axis=-1), weights.max(axis=-1)
-    return np.asarray(formed & ((least > 0) & (most < LARGEST_RATIO * least)).all(axis=0))
+    return np.asarray(formed & ((least > 0) & (most < LARGEST_RATIO * least)).all(axis=(0, 1)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -195,7 +200,8 @@ def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:
     foot = quads + share[..., None] * side
     away = np.linalg.norm(points[:, None, None] - foot, axis=-1)
     distance = np.where(within, 0.0, away.min(axis=-1))
-    nearest = distance.argmin(axis=1)
+    # Quads that share a corner are as near to what lies beyond it: the first of them leads.
+    nearest = np.argmax(distance <= (1 + SAME) * distance.min(axis=1, keepdims=True), axis=1)
     row = np.arange(len(points))
     edge = foot[row, nearest, away[row, nearest].argmin(axis=-1)]
     place = np.where(within[row, nearest, None], points, edge)

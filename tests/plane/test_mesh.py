@@ -66,6 +66,17 @@ def test_mirrored_shapes_share_their_mesh() -> None:
     np.testing.assert_array_equal(forth.triangles, back.triangles)
 
 
+@pytest.mark.parametrize(("start", "lean"), [(4, 0.5), (11, 2.0)])
+def test_rounding_in_the_nodes_does_not_grow(start: int, lean: float) -> None:
+    """Many steps of untangling would make it another mesh, and backwards another movement."""
+    pair = comb(6, -lean), np.roll(comb(6, lean), start, axis=0)
+    random = np.random.default_rng(1)
+    noisy = [points + 1e-14 * random.normal(size=points.shape) for points in pair]
+    mesh, other = (plane_mesh(a, b, refine=False) for a, b in (pair, noisy))
+    np.testing.assert_allclose(mesh.source, other.source, atol=1e-12)
+    np.testing.assert_allclose(mesh.target, other.target, atol=1e-12)
+
+
 def test_what_cannot_be_meshed_is_said() -> None:
     square = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
     with pytest.raises(ShapeError, match="as many"):
@@ -74,6 +85,9 @@ def test_what_cannot_be_meshed_is_said() -> None:
         plane_mesh(square, square[::-1])
     with pytest.raises(OutlineError, match="coincide"):
         plane_mesh(square, square[[0, 0, 2, 3]])
+    bent = np.insert(square, 1, [0.5, -0.2], axis=0)
+    with pytest.raises(OutlineError, match="coincide"):
+        plane_mesh(np.insert(square, 1, [1e-12, 0.0], axis=0), bent)
     crossing = np.array([[0.0, 0], [2, 0], [2, 2], [1, -1], [0, 3]])
     with pytest.raises(MeshError, match="cross"):
         plane_mesh(crossing, crossing)

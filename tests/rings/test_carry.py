@@ -181,6 +181,14 @@ def test_an_affine_fit_that_is_exact_is_found(matrix: Affine) -> None:
     np.testing.assert_allclose(rotations(angle) @ stretch, matrix[:, :2], atol=1e-9)
 
 
+@given(seeds, seeds, st.floats(-3.0, 3.0))
+def test_the_fit_back_is_the_inverse(first: int, second: int, angle: float) -> None:
+    """For unlike shapes too, or backwards in time the curves would go another way."""
+    a, b = star(first, 9), 3 * star(second, 9) * [1.0, 1.7] @ rotation(angle).T
+    forth, back = (rotations(turn) @ s for turn, s in (affine_between(a, b), affine_between(b, a)))
+    np.testing.assert_allclose(forth @ back, np.eye(2), atol=1e-9)
+
+
 def test_a_fit_that_would_turn_the_plane_over_is_a_similarity() -> None:
     points = star(2, 9)
     for image in (points * [1, -1], points * [1, 0.05] + 0.3 * star(7, 9)):
