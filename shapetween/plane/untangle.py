@@ -29,7 +29,7 @@ __all__ = ["Untangler"]
 
 #: Least share by which eps falls at a step, usually and with patience. Smaller is slower and
 #: untangles more of the hard meshes; larger and the steps lose the path.
-EPS_DECREASE, PATIENT_DECREASE = 0.5, 0.1
+EPS_DECREASE, PATIENT_DECREASE = 0.3, 0.2
 #: Ratio of energies after and before a step above which eps may fall. Smaller loses the path of a
 #: far start; larger waits for nothing.
 SETTLED = 0.8
@@ -38,7 +38,7 @@ FIRST_EPS = 0.2
 #: eps once no triangle is turned over, and where a hopeless search ends.
 LAST_EPS = 1e-7
 #: Steps without fewer turned triangles after which the search ends, usually and with patience.
-IMPATIENCE, PATIENCE = 12, 60
+IMPATIENCE, PATIENCE = 20, 30
 #: Steps that even out a mesh without turned triangles. Fewer leave slivers, which make the motion
 #: stiff where they lie; more take time.
 SMOOTHING_STEPS = 6
