@@ -90,6 +90,28 @@ def test_a_turned_and_bent_shape_is_found() -> None:
     assert found.turn == pytest.approx(2.0, abs=0.3)
 
 
+def plane(nose: float, wing: float, sweep: float, lean: float) -> Points:
+    """A plane that flies up, its right side wider by `lean`; corner 0 is the nose, 3 a wing."""
+    right = [(0.15, 0.3 - nose), (0.15, -0.3), (wing, sweep), (wing, sweep + 0.25), (0.15, 0.25)]
+    right += [(0.12, 1.0), (0.5, 1.25), (0.5, 1.45)]
+    half = np.array(right)
+    wide = half * [1 + lean, 1.0]
+    return np.concatenate([[[0.0, -nose]], wide, [[0.0, 1.3]], half[::-1] * [-1.0, 1.0]])
+
+
+@pytest.mark.parametrize("turn", [-np.pi / 2, 0.8, np.pi / 2])
+@pytest.mark.parametrize("build", [(1.2, 1.1, 0.6, 0.15), (1.4, 1.5, -0.2, 0.2)])
+def test_a_like_thing_drawn_another_way_is_turned(
+    turn: float, build: tuple[float, float, float, float]
+) -> None:
+    a, b = plane(1.6, 1.3, 0.1, 0.0), plane(*build) @ rotation(turn)[:, :2].T
+    found = correspond(polygon(a), polygon(b))
+    assert found.turn == pytest.approx(turn, abs=0.2)
+    corners = [0, 3, 7, 11, 15]  # nose, tips of wings and tail
+    reached = found.target_at(vertex_places(a)[corners])
+    assert apart(reached, vertex_places(b)[corners]) < 0.04
+
+
 def test_outlines_warped_by_known_maps_are_found_again() -> None:
     """Bent, bowed, turned, scaled and started elsewhere: points are met where they went."""
     rng = np.random.default_rng(11)
