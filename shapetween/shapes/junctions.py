@@ -18,8 +18,14 @@ __all__ = ["DrawnLine", "Junctions", "junctions", "with_hanging"]
 #: ink is one. Larger ties what is only near.
 TOUCH = 0.75
 
-#: Chords of a curve among which the nearest place is looked for.
-CHORDS = 16
+#: Chords of a curve among which the nearest place is looked for, and of a line of many curves.
+CHORDS, MOST_CHORDS = 16, 4000
+
+#: Curves of all lines past which no ends are looked at: maps.
+MOST_CURVES = 4000
+
+#: Ends times chords that are looked at at once; more cost memory and are no quicker.
+CELLS_AT_ONCE = 1_000_000
 
 Junctions: TypeAlias = dict[tuple[int, int], dict[int, tuple[float, Spot]]]
 """By number of an open line and its end, 0 or 1: the lines that it lies on, how far away and where.
@@ -45,6 +51,8 @@ class DrawnLine:
 def junctions(lines: Sequence[DrawnLine | None]) -> Junctions:
     """Which ends of some lines lie on which others; None stands for one that is not drawn."""
     drawn = {k: line for k, line in enumerate(lines) if line is not None}
+    if sum(len(line.curves) for line in drawn.values()) > MOST_CURVES:
+        return {}
     guests = [k for k, line in drawn.items() if not line.closed]
     tips = np.array([drawn[k].curves[[0, -1], [0, 3]] for k in guests]).reshape(-1, 2)
     widths = np.repeat([drawn[k].width for k in guests], 2)
@@ -65,14 +73,18 @@ def junctions(lines: Sequence[DrawnLine | None]) -> Junctions:
 
 def _nearest(curves: Curves, points: Points) -> tuple[Floats, Points]:
     """Places, as curve number plus parameter, nearest to points (K, 2), and the points there."""
-    t = np.linspace(0, 1, CHORDS + 1)
-    line = evaluate(curves, t)
+    chords = max(2, min(CHORDS, MOST_CHORDS // len(curves)))
+    line = evaluate(curves, np.linspace(0, 1, chords + 1))
     start, step = line[:, :-1].reshape(-1, 2), np.diff(line, axis=1).reshape(-1, 2)
     size = (step**2).sum(axis=1)
-    offset = points[:, None] - start
-    along = np.clip((offset * step).sum(axis=2) / np.where(size > 0, size, 1.0), 0.0, 1.0)
-    best = np.linalg.norm(offset - along[..., None] * step, axis=2).argmin(axis=1)
-    place = (best + along[np.arange(len(points)), best]) / CHORDS
+    place = np.zeros(len(points))
+    for some in np.array_split(
+        np.arange(len(points)), 1 + len(points) * len(start) // CELLS_AT_ONCE
+    ):
+        offset = points[some, None] - start
+        along = np.clip((offset * step).sum(axis=2) / np.where(size > 0, size, 1.0), 0.0, 1.0)
+        best = np.linalg.norm(offset - along[..., None] * step, axis=2).argmin(axis=1)
+        place[some] = (best + along[np.arange(len(some)), best]) / chords
     index = np.minimum(place.astype(np.intp), len(curves) - 1)
     return place, evaluate(curves[index], (place - index)[:, None])[:, 0]
 

@@ -47,7 +47,7 @@ COVERED = 0.4
 WHOLE, WHOLE_ALONE = 0.7, 0.5
 
 #: Stations of one drawing past which nothing is cut.
-MOST_STATIONS = 4000
+MOST_STATIONS = 2500
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,8 +18,9 @@ __all__ = ["tied"]
 #: comes off and lies down again.
 SLIDE = 0.2
 
-#: Curves of all lines past which none is tied: a map's lines are not looked at.
-MOST_CURVES = 4000
+#: Ties that may hang on each other one by one. What is tied to a line waits for it, and a line in
+#: a thousand pieces would take long; so their chains turn round.
+LONGEST = 12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +72,7 @@ def tied(parts: Sequence[Part]) -> tuple[Part, ...]:
     """
     own = list({id(bare): bare for bare in map(_bare, parts)}.values())
     lines = [line for k, part in enumerate(own) for line in _lines(part, k)]
-    if len(lines) < 2 or sum(line.rider.counts[0] for line in lines) > MOST_CURVES:
+    if len(lines) < 2:
         return tuple(parts)
     touching = [junctions([line.drawn[end] for line in lines]) for end in (0, 1)]
     links = _settled(_own(lines, touching), _carried(lines, touching), len(lines))
@@ -221,29 +222,42 @@ def _settled(own: Sequence[_Link], carried: Sequence[_Link], count: int) -> list
 
     What others carry is carried by one of them, and only if its own ends hold it nowhere.
     """
-    hosts: list[set[int]] = [set() for _ in range(count)]
+    chains = _Chains(count)
     taken: set[tuple[int, float, int]] = set()
     settled = []
     for link in own:
         sides = {(link.guest, link.at, k) for k in (0, 1) if link.spots[k] is not None}
-        if not sides & taken and not _leads(hosts, link.host, link.guest):
-            hosts[link.guest].add(link.host)
+        if not sides & taken and chains.add(link.guest, link.host):
             taken |= sides
             settled.append(link)
-    for link in carried:
-        if not hosts[link.guest] and not _leads(hosts, link.host, link.guest):
-            hosts[link.guest].add(link.host)
-            settled.append(link)
-    return settled
+    held = (k for k in carried if not chains.hosts[k.guest] and chains.add(k.guest, k.host))
+    return [*settled, *held]
 
 
-def _leads(hosts: Sequence[set[int]], start: int, goal: int) -> bool:
-    """Whether a line is tied to another, perhaps by way of others."""
-    seen, todo = {start}, [start]
-    while todo:
-        here = todo.pop()
-        if here == goal:
-            return True
-        todo += hosts[here] - seen
-        seen |= hosts[here]
-    return False
+class _Chains:
+    """Which lines are tied to which, without circles and in short chains."""
+
+    def __init__(self, count: int) -> None:
+        self.hosts: list[set[int]] = [set() for _ in range(count)]
+        self._guests: list[set[int]] = [set() for _ in range(count)]
+
+    def add(self, guest: int, host: int) -> bool:
+        """Tie one line to another, if that may be."""
+        below, above = self._far(host, self.hosts), self._far(guest, self._guests)
+        if guest in below or max(below.values()) + 1 + max(above.values()) > LONGEST:
+            return False
+        self.hosts[guest].add(host)
+        self._guests[host].add(guest)
+        return True
+
+    def _far(self, start: int, ways: Sequence[set[int]]) -> dict[int, int]:
+        """In how many ties at most lines are reached from one of them."""
+        found = {start: 0}
+        todo = [start]
+        while todo:
+            here = todo.pop()
+            for k in ways[here]:
+                if found.get(k, -1) <= found[here]:
+                    found[k] = found[here] + 1
+                    todo.append(k)
+        return found

@@ -1,12 +1,21 @@
 """Which lines are tied to which, seen by what stays together."""
 
 import numpy as np
+import pytest
 
 from shapetween.drawing import Shape
 from shapetween.geometry.bezier import evaluate
+from shapetween.geometry.rotation import rotations
 from shapetween.pipeline import prepare
+from shapetween.riding.nearby import Parts
+from shapetween.riding.planes import AffinePlane
+from shapetween.riding.riders import riding
+from shapetween.shapes import junctions as shape_junctions
+from shapetween.shapes import tying
+from shapetween.shapes.aboard import RidingPart
 from shapetween.shapes.junctions import DrawnLine, junctions, with_hanging
 from shapetween.shapes.pairing import Pairing
+from shapetween.shapes.tying import tied
 from tests.drawings import drawing, line, square
 
 T = np.linspace(0, 1, 9)
@@ -37,6 +46,21 @@ def test_lines_that_touch_nothing_and_closed_ones_are_no_guests() -> None:
     assert junctions([*lines(ring, line((40, 30), (60, 30))), None]).keys() == {(1, 0)}
 
 
+def test_many_ends_on_a_long_line_are_found_a_few_at_a_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    long = line(*((x, 10.0 * (x % 2)) for x in range(100)))
+    twigs = [line((x + 0.5, 5), (x + 0.5, 90)) for x in range(0, 90, 9)]
+    every = lines(long, *twigs)
+    monkeypatch.setattr(shape_junctions, "CELLS_AT_ONCE", 1)
+    found = junctions(every)
+    assert found.keys() == {(k, 0) for k in range(1, len(twigs) + 1)}
+    places = [found[k, 0][0][1].place for k in range(1, len(twigs) + 1)]
+    np.testing.assert_allclose(places, np.arange(0, 90, 9) + 0.5, atol=0.01)
+    monkeypatch.setattr(shape_junctions, "MOST_CURVES", 50)
+    assert junctions(every) == {}
+
+
 def test_bars_between_the_same_lines_become_each_other() -> None:
     left, right = line((10, 0), (10, 100)), line((90, 0), (90, 100))
     bar, other = line((10, 20), (90, 20)), line((10, 95), (90, 95))
@@ -65,3 +89,26 @@ def test_a_twig_that_comes_grows_on_its_branch() -> None:
     assert len(parts) == 2
     branch, grown = (part.curves(T) for part in parts)
     assert gap(grown[:, 0, 0], branch) < 0.5
+
+
+@pytest.mark.parametrize("longest", [0, 2, 12])
+def test_a_line_in_many_pieces_holds_together(
+    longest: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However short the chains are in which its pieces are tied to each other."""
+    monkeypatch.setattr(tying, "LONGEST", longest)
+
+    rests = AffinePlane(np.eye(2, 3), np.zeros(2))
+    points = [(5.0 * k, 50.0 + 20 * np.sin(k / 2)) for k in range(21)]
+    turn = np.column_stack([rotations(np.asarray(1.2)), [60.0, 0.0]])
+    parts = []
+    for k in range(20):
+        piece = line(points[k], points[k + 1])
+        ring = piece.rings[0]
+        rider = riding(
+            Parts(ring.curves, ring.transformed(turn).curves, False), rests, (100.0, 100.0)
+        )
+        parts.append(RidingPart.of("", (piece.style,) * 2, (rider,), (False,), rests))
+    ends = np.array([part.curves(T)[:, [0, -1], [0, 3]] for part in tied(parts)])
+    gaps = np.linalg.norm(ends[1:, :, 0] - ends[:-1, :, 1], axis=2)
+    assert (gaps.max() < 1e-6) == (longest > 0)
