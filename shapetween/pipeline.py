@@ -18,6 +18,7 @@ from shapetween.shapes.fill import FillSettings
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.paths import plain_shapes
 from shapetween.shapes.together import move_together
+from shapetween.threads import one_thread
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -107,6 +108,7 @@ class Prepared:
         return list({id(part): part for part in parts}.values())
 
 
+@one_thread()
 def prepare(
     source: Drawing,
     target: Drawing,

@@ -7,6 +7,7 @@ from importlib import import_module
 import click
 
 from shapetween.errors import ShapetweenError
+from shapetween.threads import ONE_THREAD
 
 __all__ = ["cli", "main"]
 
@@ -73,8 +74,7 @@ def cli() -> None:
 
 def main() -> None:
     """Run the command line; whatever the user can mend becomes one line and exit code 2."""
-    # All matrices here are small: threads only wait for each other, and for other programs'.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    os.environ.setdefault(*ONE_THREAD)
     try:
         code = cli.main(prog_name="shapetween", standalone_mode=False)
     except click.exceptions.NoArgsIsHelpError as error:
