@@ -60,6 +60,15 @@ class Lane:
         first, second = (float(np.linalg.norm(np.ptp(p, axis=0))) for p in self.outlines)
         return first, second
 
+    @property
+    def drift(self) -> Plane:
+        """A plane that only shifts as the middle of what this one carries does.
+
+        What lies beside that would be flung about by the plane, which is nobody's there.
+        """
+        start, end = ((p.min(axis=0) + p.max(axis=0)) / 2 for p in self.outlines)
+        return AffinePlane(np.column_stack([np.eye(2), end - start]), start)
+
     def distance(self, point: Points, end: int) -> float:
         """How far a point lies from what the plane carries at one end; 0 inside."""
         import shapely
@@ -85,12 +94,12 @@ class Flow:
     bodies: tuple[Carried, ...] = ()
     exact: bool = False
 
-    def carries(self, point: Points) -> bool:
-        """Whether a place (2,) at the start is on what moves as one, not beside it."""
+    def carries(self, point: Points, end: int = 0) -> bool:
+        """Whether a place (2,) at the start, or at the end, is on what moves as one, not beside."""
         if not self.bodies:
             return True
-        near = BESIDE * max(lane.extents[0] for lane in self.lanes)
-        return any(lane.distance(point, 0) <= near for lane in self.lanes)
+        near = BESIDE * max(lane.extents[end] for lane in self.lanes)
+        return any(lane.distance(point, end) <= near for lane in self.lanes)
 
     def lane(self, source: Points | None, target: Points | None) -> Lane:
         """The lane of what has its middle there at the start, at the end, or both, each (2,)."""

@@ -1,6 +1,7 @@
 """Shapes that ride on a drawing's movement: pairs of them, and those without a partner."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -118,6 +119,8 @@ def ride_lone(
     """
     centre = _centre(shape)
     lane = flow.lane(None, centre) if arrives else flow.lane(centre, None)
+    if host is None and not flow.carries(centre, int(arrives)):
+        lane = replace(lane, plane=lane.drift)
     first = None if host is None else host.riders[0]
     on = first if isinstance(first, Rider) else None
     riders: list[Leaver | Tip] = []

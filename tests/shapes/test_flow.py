@@ -122,3 +122,19 @@ def test_units_do_not_matter(size: float) -> None:
     assert [part.rings for part in here] == [part.rings for part in there]
     for part, other in zip(here, there, strict=True):
         np.testing.assert_allclose(other.curves(T) / size, part.curves(T), atol=1e-6)
+
+
+@pytest.mark.parametrize("comes", [False, True])
+def test_what_lies_beside_only_drifts_along(comes: bool) -> None:
+    """The body grows to twice its size and moves; a spot beside it is not flung after it."""
+    small, large = area(disc(40, 50, 15)), area(ring([(30, 10), (80, 15), (85, 85), (25, 80)]))
+    spot = area(square(94, 45, 4) if comes else square(80, 45, 4), colour=RED)
+    first, second = [small], [large]
+    (second if comes else first).append(spot)
+    prepared = prepare(drawing(*first), drawing(*second))
+    drift = np.diff([o.box.mean(axis=0) for o in (small.rings[0], large.rings[0])], axis=0)[0]
+    (lone,) = (k for k, part in enumerate(prepared.movement.parts) if part.style(0.5).fill == RED)
+    middles = points(prepared, lone).mean(axis=1)
+    home = spot.rings[0].box.mean(axis=0)
+    expected = home + (T - float(comes))[:, None] * drift
+    np.testing.assert_allclose(middles, expected, atol=0.5)
