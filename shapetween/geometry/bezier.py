@@ -7,7 +7,7 @@ A stack of curves has shape (N, 4, 2): start, two handles, end.
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Points
+from shapetween.arrays import Curves, Floats, Index, Points
 
 __all__ = [
     "curve_lengths",
@@ -45,9 +45,13 @@ def evaluate(curves: Curves, t: Floats) -> Points:
     -------
     (..., K, 2) float64
     """
+    return _bernstein(t) @ curves
+
+
+def _bernstein(t: Floats) -> Floats:
+    """Weights of the four control points at parameters (..., K), (..., K, 4)."""
     s = 1 - t
-    basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)  # (..., K, 4)
-    return basis @ curves
+    return np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)
 
 
 def derivatives(curves: Curves, t: Floats) -> Points:
@@ -57,20 +61,36 @@ def derivatives(curves: Curves, t: Floats) -> Points:
     return np.asarray(basis @ (3 * np.diff(curves, axis=-2)))
 
 
-def flatten(curves: Curves, pieces: int) -> Points:
+def flatten(curves: Curves, pieces: int | Index) -> Points:
     """Every curve as `pieces` chords, joined; the last point of the last curve is left out.
 
     Parameters
     ----------
     curves : (..., N, 4, 2) float64
+    pieces : int or (N,) intp
+        The same for all curves, or each curve's own.
 
     Returns
     -------
-    (..., N * pieces, 2) float64
-        The closed polygon of a ring whose curves follow one another.
+    (..., M, 2) float64
+        The closed polygon of a ring whose curves follow one another; M is the sum of all pieces.
     """
-    points = evaluate(curves, np.arange(pieces) / pieces)
-    return points.reshape(*curves.shape[:-3], -1, 2)
+    if isinstance(pieces, int):
+        points = evaluate(curves, np.arange(pieces) / pieces)
+        return points.reshape(*curves.shape[:-3], -1, 2)
+    from scipy.sparse import csr_array
+
+    curve = np.repeat(np.arange(len(pieces)), pieces)
+    t = (np.arange(len(curve)) - (np.cumsum(pieces) - pieces)[curve]) / pieces[curve]
+    column = 4 * curve[:, None] + np.arange(4)
+    start = 4 * np.arange(len(curve) + 1)
+    weights = csr_array(
+        (_bernstein(t).ravel(), column.ravel(), start), shape=(len(curve), 4 * len(pieces))
+    )
+    stacked = curves.reshape(-1, 4 * len(pieces), 2)
+    points = weights @ np.swapaxes(stacked, 0, 1).reshape(4 * len(pieces), -1)
+    points = np.swapaxes(points.reshape(len(curve), -1, 2), 0, 1)
+    return np.ascontiguousarray(points).reshape(*curves.shape[:-3], len(curve), 2)
 
 
 def sub_curves(curves: Curves, start: Floats, end: Floats) -> Curves:

@@ -11,6 +11,7 @@ import numpy as np
 from shapetween.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.correspond.correspondence import Correspondence
 from shapetween.geometry.bezier import flatten
+from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.polygon import polygon_area
 from shapetween.mesh import MeshPair
 from shapetween.outline import Outline
@@ -23,8 +24,17 @@ from shapetween.rings.matched import MatchedOutlines, Samples
 
 __all__ = ["Carried", "Nodes", "RingMatch", "VertexPath", "joined_meshes"]
 
-#: Chords a curve is looked at with, and points of a frame past which they become fewer.
-CHORDS, MOST_POINTS = 8, 8000
+#: Distance of a curve from the chords it is looked at with, as a share of the extent of all of
+#: them, and points of a frame past which chords become fewer. Larger and curves cross where their
+#: chords do not; smaller costs time, by its square root.
+FLATNESS, MOST_POINTS = 1e-4, 8000
+
+#: Least number of chords of a curve that is no line, and how many it may need by its flatness alone
+#: and count as a line. Fewer miss what small curves do next to each other.
+LEAST_CHORDS, LINE = 8, 0.1
+
+#: Of how many frames one is asked how far the curves bend; they hardly change from one to the next.
+BENT_FRAMES = 8
 
 #: Curves of all frames that are held at once; more cost memory and are no quicker.
 POINTS_AT_ONCE = 200_000
@@ -147,15 +157,30 @@ class Nodes:
     def simple(self, t: Floats, vertices: Points) -> Mask:
         """In which frames the drawn rings cross neither themselves nor each other, (F,)."""
         count = sum(carrier.count for carrier in self.carriers)
-        chords = max(1, min(CHORDS, MOST_POINTS // count))
-        sizes = tuple(chords * carrier.count for carrier in self.carriers)
+        first = np.cumsum([0, *(carrier.count for carrier in self.carriers)])[:-1]
         # Outlines of tens of thousands of curves are looked at less often, and a few at a time.
         looked = np.arange(0, len(t), 1 + len(t) * count // MOST_LOOKED)
         result = np.ones(len(t), dtype=bool)
         for some in np.array_split(looked, 1 + len(looked) * count // POINTS_AT_ONCE):
-            drawn = flatten(self.curves(vertices[some], t[some]), chords)
-            result[some] = simple_frames(drawn, sizes)
+            curves = self.curves(vertices[some], t[some])
+            chords = _chords(curves[::BENT_FRAMES])
+            sizes = tuple(np.add.reduceat(chords, first).tolist())
+            result[some] = simple_frames(flatten(curves, chords), sizes)
         return result
+
+
+def _chords(curves: Curves) -> Index:
+    """How many chords show moving curves (F, P, 4, 2) well enough at all times, (P,).
+
+    A curve lies within max |B''| / (8 n^2) of n chords, and |B''| is at most six times the largest
+    second difference of its control points.
+    """
+    extent = np.ptp(curves[:, :, 0], axis=1).max(axis=1)
+    bends = squared(np.diff(as_complex(curves), n=2)).max(axis=2).T / extent**2
+    needed = np.sqrt(0.75 / FLATNESS) * bends.max(axis=1) ** 0.25
+    chords = np.where(needed > LINE, np.maximum(np.ceil(needed), LEAST_CHORDS), 1)
+    fewer = min(1.0, MOST_POINTS / chords.sum())
+    return np.asarray(np.maximum(fewer * chords, 1), dtype=np.intp)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

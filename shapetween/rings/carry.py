@@ -8,7 +8,7 @@ can throw it outwards. What it is at the start fades into what it is at the end.
 
 import numpy as np
 
-from shapetween.arrays import Complex, Curves, Floats, Index, Points
+from shapetween.arrays import Complex, Curves, Floats, Index, Mask, Points
 from shapetween.geometry.bezier import end_tangents
 from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points
 from shapetween.geometry.polygon import cross
@@ -23,6 +23,10 @@ SMOOTH_KINK = np.deg2rad(20.0)
 #: An excess kink is mended whole up to the first angle, in radians, and left alone from the second
 #: on, where turning the handles would make a loop.
 MENDED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
+
+#: Kink, in radians, past which a handle that grows from nothing turns no tip. Beyond it the two
+#: curves of a tip cross, seen from near.
+SHARPEST = np.deg2rad(165.0)
 
 #: Share of its length that a curve's handles may lie off its chord and the curve count as a line.
 STRAIGHT = 1e-3
@@ -208,44 +212,53 @@ def _squeezed(along: Complex, shares: Floats) -> LinearMaps:
 
 
 class _Joints:
-    """Joints that are smooth at both ends, and what their handles may do to stay so."""
+    """Joints whose handles are turned on the way, and what each handle may do.
 
-    def __init__(self, index: Index, kinks: Floats, shares: Floats) -> None:
+    Those that are smooth at both ends stay so. Where a handle has no length at one end, it grows
+    from there in the direction of the other end alone; it is kept from turning the tip over.
+    """
+
+    def __init__(self, index: Index, kinks: Floats, shares: Floats, slack: Mask) -> None:
         self._before, self._after = index
         self._kinks = kinks
         self._shares = shares
+        self._slack = slack
 
     @classmethod
     def of(cls, pieces: Pieces) -> "_Joints":
-        kinks, stiff, point = [], [], []
-        for curves in (pieces.source, pieces.target):
-            leaving, reaching = end_tangents(curves)
-            following = np.roll(leaving, -1, axis=0)
-            kinks.append(_angle(reaching, following))
-            stiff.append(_straight(curves))
-            point.append((curves == curves[:, :1]).all(axis=(1, 2)))
-        line = stiff[0] & stiff[1]
+        both = np.stack([pieces.source, pieces.target])
+        leaving, reaching = (np.stack(x) for x in zip(*map(end_tangents, both), strict=True))
+        kinks = _angle(reaching, np.roll(leaving, -1, axis=1))
+        line = _straight(pieces.source) & _straight(pieces.target)
         # A piece that is a point at one end has no direction there to go on from.
-        blunt = point[0] | point[1]
-        smooth = (np.abs(np.stack(kinks)) < SMOOTH_KINK).all(axis=0)
-        smooth &= ~(line & np.roll(line, -1)) & ~blunt & ~np.roll(blunt, -1)
-        before = np.flatnonzero(smooth)
+        point = (both == both[:, :, :1]).all(axis=(2, 3)).any(axis=0)
+        smooth = (np.abs(kinks) < SMOOTH_KINK).all(axis=0) & ~(line & np.roll(line, -1))
+        folded = _folded(both[:, :, ::-1]), np.roll(_folded(both), -1, axis=1)
+        slack = np.stack([side[0] | side[1] for side in folded])
+        before = np.flatnonzero((smooth | slack.any(axis=0)) & ~point & ~np.roll(point, -1))
         after = (before + 1) % len(pieces.source)
+        slack = slack[:, before] & ~smooth[before]
         # A side that is straight at both ends stays so: the handle across the joint does it all.
-        free = np.stack([~line[before], ~line[after]]).astype(np.float64)
+        # So does one without a length of its own.
+        free = np.where(slack.any(axis=0), slack, np.stack([~line[before], ~line[after]]))
         shares = free / np.maximum(free.sum(axis=0), 1)
-        return cls(np.stack([before, after]), np.stack(kinks)[:, before], shares)
+        return cls(np.stack([before, after]), kinks[:, before], shares, slack[0] | slack[1])
 
     def smooth(self, curves: Complex, t: Floats) -> None:
-        """Turn handles about their joints, in place, until the kink is the ends' own mean."""
+        """Turn handles about their joints, in place, until the kink is the ends' own mean.
+
+        With a handle that grows from nothing, it only comes within the first angle of that.
+        """
         if not len(self._before):
             return
         reaching = -_leaving(curves[:, self._before, ::-1])
         leaving = _leaving(curves[:, self._after])
         wanted = (1 - t)[:, None] * self._kinks[0] + t[:, None] * self._kinks[1]
-        excess = np.angle(leaving * reaching.conj()) - wanted
+        excess = np.angle(leaving * reaching.conj() * np.exp(-1j * wanted))
         fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - MENDED), 0.0, 1.0)
-        excess = excess * fade * fade * (3 - 2 * fade)
+        room = np.clip(SHARPEST - np.abs(wanted), 0.0, MENDED)
+        over = excess - np.clip(excess, -room, room)
+        excess = np.where(self._slack, over, excess * fade * fade * (3 - 2 * fade))
         for piece, end, handle, share in (
             (self._before, 3, 2, self._shares[0]),
             (self._after, 0, 1, -self._shares[1]),
@@ -253,6 +266,12 @@ class _Joints:
             pivot = curves[:, piece, end]
             arm = curves[:, piece, handle] - pivot
             curves[:, piece, handle] = pivot + np.exp(1j * share * excess) * arm
+
+
+def _folded(curves: Curves) -> Mask:
+    """Which curves begin with a handle that lies on their start, (...,)."""
+    offsets = np.abs(as_complex(curves)[..., 1:] - as_complex(curves)[..., :1])
+    return np.asarray(offsets[..., 0] <= COINCIDENT * offsets.max(axis=-1))
 
 
 def _leaving(curves: Complex) -> Complex:

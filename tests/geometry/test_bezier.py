@@ -63,6 +63,16 @@ def test_a_ring_is_flattened_without_its_last_point() -> None:
     np.testing.assert_allclose(flatten(np.stack([ring, 2 * ring]), 3)[1], 2 * points)
 
 
+def test_each_curve_may_have_its_own_number_of_chords() -> None:
+    ring = circle(np.zeros(2), 1.0)
+    rings = np.stack([ring, 2 * ring])
+    pieces = np.array([3, 1, 5, 2])
+    found = flatten(rings, pieces)
+    wanted = [flatten(rings[:, k : k + 1], n) for k, n in enumerate(pieces.tolist())]
+    np.testing.assert_allclose(found, np.concatenate(wanted, axis=1), atol=1e-15)
+    np.testing.assert_array_equal(flatten(ring, pieces), found[0])
+
+
 def test_lengths() -> None:
     lines = line_curves(np.array([[0.0, 0.0]]), np.array([[3.0, 4.0]]))
     np.testing.assert_allclose(curve_lengths(lines), [5])

@@ -6,8 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.arclength import ArcLength
-from shapetween.arrays import Affine, Curves, Floats, Points
+from shapetween.arrays import Affine, Complex, Curves, Floats, Points
 from shapetween.geometry.bezier import end_tangents, flatten
+from shapetween.geometry.linearmaps import as_complex
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, rotations
 from shapetween.outline import Outline
@@ -30,6 +31,13 @@ def prepared(
     pieces = outlines.cut(nodes)
     ends = outlines.points(nodes)
     return Carrier(pieces, nodes, *ends), *ends, pieces.source, pieces.target
+
+
+def _first(curves: Complex) -> Complex:
+    """Offset to the first control point away from the start, (...,)."""
+    offsets = curves[..., 1:] - curves[..., :1]
+    first = (np.abs(offsets) > 1e-9 * np.abs(offsets).max(axis=-1, keepdims=True)).argmax(axis=-1)
+    return np.asarray(np.take_along_axis(offsets, first[..., None], axis=-1)[..., 0])
 
 
 def mapped(points: Points, matrix: Affine) -> Points:
@@ -172,6 +180,28 @@ def test_a_disc_that_turns_stays_a_disc() -> None:
     turned = a @ np.swapaxes(rotations(T * np.pi), 1, 2)
     found = flatten(carrier.curves(turned, T), 8)
     np.testing.assert_allclose(np.linalg.norm(found[1:-1], axis=-1), 1, atol=1e-3)
+
+
+@settings(max_examples=20)
+@given(seeds)
+def test_a_handle_that_grows_from_nothing_turns_no_tip(seed: int) -> None:
+    """However the nodes move: past half a turn the curves beside a tip cross."""
+    source = polygon(star(seed)).curves.copy()
+    source[:, 1] = source[:, 0]
+    source[:, 2] += 0.3 * np.random.default_rng(seed).normal(size=source[:, 2].shape)
+    carrier, a, b, *_ = prepared(Outline(source), rounded(star(seed + 50)))
+    moved = (1 - T[:, None, None]) * a + T[:, None, None] * b
+    moved += 0.3 * np.random.default_rng(seed).normal(size=moved.shape)
+    curves = as_complex(carrier.curves(moved, T))
+    curves, ends = curves[1:-1], curves[[0, -1]]
+    leaving, reaching = np.roll(_first(curves), -1, axis=1), -_first(curves[..., ::-1])
+    kinks = np.abs(np.angle(leaving / reaching))
+    most = np.abs(np.angle(np.roll(_first(ends), -1, axis=1) / -_first(ends[..., ::-1])))
+    folded = np.roll(np.abs(ends[0, :, 1] - ends[0, :, 0]) < 1e-12, -1)
+    sharp = folded & (most.max(axis=0) > np.deg2rad(20))
+    assert sharp.any()
+    limit = np.maximum(most.max(axis=0), np.deg2rad(166))[sharp]
+    assert (kinks[:, sharp] <= limit).all()
 
 
 @given(affine_maps())
