@@ -156,14 +156,15 @@ class Nodes:
 
     def simple(self, t: Floats, vertices: Points) -> Mask:
         """In which frames the drawn rings cross neither themselves nor each other, (F,)."""
-        count = sum(carrier.count for carrier in self.carriers)
-        first = np.cumsum([0, *(carrier.count for carrier in self.carriers)])[:-1]
+        counts = np.array([carrier.count for carrier in self.carriers])
+        count, first = int(counts.sum()), np.cumsum(counts) - counts
+        least = np.repeat(-(-3 // counts), counts)  # a ring of less than three chords is none
         # Outlines of tens of thousands of curves are looked at less often, and a few at a time.
         looked = np.arange(0, len(t), 1 + len(t) * count // MOST_LOOKED)
         result = np.ones(len(t), dtype=bool)
         for some in np.array_split(looked, 1 + len(looked) * count // POINTS_AT_ONCE):
             curves = self.curves(vertices[some], t[some])
-            chords = _chords(curves[::BENT_FRAMES])
+            chords = np.maximum(_chords(curves[::BENT_FRAMES]), least)
             sizes = tuple(np.add.reduceat(chords, first).tolist())
             result[some] = simple_frames(flatten(curves, chords), sizes)
         return result
