@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.arrays import Floats, Index, Mask, Points
+from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.rotation import rotations
 from shapetween.plane.triangulate import constrained_delaunay, split_edges, triangle_edges
 
@@ -109,19 +110,19 @@ def _grids(starts: Points, ends: Points, radius: float, spacing: float, turn: Fl
         grid = grid[np.linalg.norm(grid, axis=1) < radius - GRID_THINNING * spacing / 2] @ turn.T
         away = _distances(grid, starts, ends) / spacing
         grid = grid[(away > GRID_BAND[0]) & (away < GRID_BAND[1])]
-        apart = np.linalg.norm(grid[:, None] - kept, axis=2).min(axis=1, initial=np.inf)
-        kept = np.concatenate([kept, grid[apart > GRID_THINNING * spacing]])
+        apart = squared(as_complex(grid)[:, None] - as_complex(kept)).min(axis=1, initial=np.inf)
+        kept = np.concatenate([kept, grid[apart > (GRID_THINNING * spacing) ** 2]])
         spacing *= GRID_GROWTH
     return kept
 
 
 def _distances(points: Points, starts: Points, ends: Points) -> Floats:
     """Distance of each point to the nearest of some segments."""
-    along = ends - starts
-    offset = points[:, None] - starts
-    share = np.clip((offset * along).sum(-1) / (along**2).sum(-1), 0, 1)
-    gap = offset - share[..., None] * along
-    return np.asarray(np.sqrt((gap**2).sum(-1).min(axis=1, initial=np.inf)))
+    start = as_complex(starts)
+    along = as_complex(ends) - start
+    offset = as_complex(points)[:, None] - start
+    share = np.clip((offset * (along.conj() / squared(along))).real, 0, 1)
+    return np.asarray(np.sqrt(squared(offset - share * along).min(axis=1, initial=np.inf)))
 
 
 def _inside(points: Points, starts: Points, ends: Points) -> Mask:
