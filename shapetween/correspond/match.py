@@ -45,6 +45,10 @@ DISTINCT = 0.03
 #: a plane that flies up and one that flies to the side.
 FRAME_RATIO = 0.73
 
+#: The same for symmetric outlines whose axes point the same way as drawn. Higher turns trousers
+#: upside down to become a vest; lower leaves upright even an arrow that becomes one the other way.
+STANDING_RATIO = 0.5
+
 #: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
 #: and what lies between is not listened to.
@@ -133,20 +137,21 @@ def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     # Rewards not earned count as costs, so that the costs of two frames have a ratio.
     unrewarded = VERTEX_REWARD * len(a.vertices.index)
     ranked: list[tuple[float, Candidate]] = []
-    standing = False  # symmetric outlines whose axes point the same way as drawn are not turned
+    ratio = FRAME_RATIO
     worths = {0.0: _worth_of_vertices(a, b, 0.0)}
     if abs(turn) >= MIN_TURN:
         worths[turn] = _worth_of_vertices(a, b, turn)
     for angle, worth in worths.items():
         cost = _cost(a, b, layout, angle, pins, cells)
         paths = cyclic_paths(cost, _rewards(worth, layout), layout.fixed, layout.starts)
-        handicap = 1.0 if angle == 0 else 1 / FRAME_RATIO
+        handicap = 1.0 if angle == 0 else 1 / ratio
         found = _distinct(paths, layout, PER_FRAME, angle)
         ranked += [((c.cost + unrewarded) * handicap, c) for c in found]
-        if len(pins) == 0 and not standing:
+        if len(pins) == 0:
             even = _symmetric_matchings(a, b, angle, worth)
             ranked += [((c.cost + unrewarded) * handicap / SYMMETRY_RATIO, c) for c in even]
-            standing = bool(even)
+            if angle == 0 and even:
+                ratio = STANDING_RATIO
     ranked.sort(key=lambda entry: entry[0])
     costs = [cost for cost, _ in ranked] + [np.inf]
     chosen = ranked[0][1]

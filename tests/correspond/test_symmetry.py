@@ -118,8 +118,14 @@ def test_a_creature_of_eight_legs_keeps_its_sides() -> None:
 def test_symmetric_outlines_that_stand_are_not_turned() -> None:
     """Trousers would fit a vest better upside down."""
     trousers = mirrored(np.array([[1.0, -2.0], [1.3, 2.0], [0.3, 2.2], [0.1, -0.5]]))
-    vest = mirrored(np.array([[0.4, -0.8], [0.6, -2.0], [1.0, -2.0], [1.1, 1.8]]))
+    vest = mirrored(np.array([[0.3, -1.0], [0.6, -2.0], [1.0, -2.0], [0.9, -1.2], [1.1, 1.8]]))
     assert correspond(polygon(trousers), polygon(vest)).turn == 0.0
+
+
+def test_an_arrow_up_turns_to_become_another_that_points_down() -> None:
+    up = mirrored(np.array([[0.02, -2.0], [1.2, -0.6], [0.4, -0.6], [0.4, 2.0]]))
+    slim = mirrored(np.array([[0.02, -2.0], [1.0, -0.3], [0.2, -0.5], [0.15, 1.8]]))
+    assert abs(correspond(polygon(up), polygon(-slim)).turn) == pytest.approx(np.pi, abs=0.1)
 
 
 def test_a_pin_outweighs_symmetry() -> None:
