@@ -7,12 +7,15 @@ from shapetween.gallery import Exhibit, Picture
 
 INPUTS = Path(__file__).parent / "inputs"
 
+#: Fewer than each would have by itself: many small shapes make a large file.
+KEYFRAMES = 16
+
 PAIRS = (
     (
         "man-dancing",
         "woman-dancing",
-        "Many small shapes of different colours: most find a partner, few the right one. Ids that "
-        "agree in both files would help.",
+        "Many small shapes of different colours: few find the partner that a person would give "
+        "them, and the dress grows out of trousers. Ids that agree in both files would help.",
         "Twemoji (CC BY 4.0)",
     ),
     (
@@ -35,7 +38,7 @@ def draw() -> list[Exhibit]:
     for a, b, text, credit in PAIRS:
         morph = st.morph(INPUTS / f"{a}.svg", INPUTS / f"{b}.svg")
         title = f"{a} to {b}".replace("-", " ")
-        svg = morph.svg(loop="alternate")
+        svg = morph.svg(loop="alternate", keyframes=KEYFRAMES)
         picture = Picture(f"{a}-to-{b}.svg", svg, f"The movement from {title}")
         exhibits.append(Exhibit(title.capitalize(), text, (picture,), wide=False, credit=credit))
     return exhibits
