@@ -45,9 +45,10 @@ DISTINCT = 0.03
 #: a plane that flies up and one that flies to the side.
 FRAME_RATIO = 0.73
 
-#: The same for symmetric outlines whose axes point the same way as drawn. Higher turns trousers
-#: upside down to become a vest; lower leaves upright even an arrow that becomes one the other way.
-STANDING_RATIO = 0.5
+#: The same for symmetric outlines whose axes point the same way as drawn. Higher turns a spoon
+#: upside down to become a screwdriver; lower leaves upright even an arrow that becomes one the
+#: other way.
+STANDING_RATIO = 0.35
 
 #: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
