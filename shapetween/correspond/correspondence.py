@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from shapetween.arrays import Affine, Floats, frozen
 from shapetween.errors import ShapeError
@@ -67,18 +66,6 @@ class Correspondence:
         if self.affine is not None:
             object.__setattr__(self, "affine", frozen(self.affine, np.float64, ndim=2))
 
-    def target_at(self, u: ArrayLike) -> Floats:
-        """Places on the target, in [0, 1), of places on the source."""
-        return _follow(self.u, self.v, u)
-
-    def source_at(self, v: ArrayLike) -> Floats:
-        """Places on the source, in [0, 1), of places on the target."""
-        return _follow(self.v, self.u, v)
-
-    def candidates(self) -> tuple[Correspondence, ...]:
-        """The other matchings worth a try, best first."""
-        return self.others
-
     def inverse(self) -> Correspondence:
         """The same matching from target to source."""
         affine = None
@@ -95,10 +82,3 @@ class Correspondence:
             affine=affine,
             others=tuple(other.inverse() for other in self.others),
         )
-
-
-def _follow(knots: Floats, values: Floats, at: ArrayLike) -> Floats:
-    """Piecewise linear from `knots` to `values`, both over one turn, at places modulo 1."""
-    x = np.asarray(at, dtype=np.float64) - knots[0]
-    result = np.interp(x - np.floor(x), knots - knots[0], values)
-    return np.asarray(result - np.floor(result))

@@ -129,7 +129,7 @@ def _by_coarse_shapes(
 
 def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:
     """The same two rings by their next best matchings, best first."""
-    for matching in ring.matching.candidates():
+    for matching in ring.matching.others:
         yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
 
 
@@ -163,7 +163,7 @@ def _upright(matching: Correspondence) -> Correspondence:
     """The best matching that does not turn the ring, unless the two are the same but for place."""
     if matching.affine is not None or matching.turn == 0:
         return matching
-    return next((m for m in matching.candidates() if m.turn == 0), matching)
+    return next((m for m in matching.others if m.turn == 0), matching)
 
 
 def _meshed(

@@ -3,6 +3,7 @@
 import numpy as np
 
 from shapetween.arrays import Affine, Floats, Points
+from shapetween.correspond.correspondence import Correspondence
 from shapetween.geometry.bezier import line_curves, sub_curves
 from shapetween.outline import Outline
 
@@ -55,6 +56,23 @@ def rotation(angle: float, scale: float = 1.0) -> Affine:
     """A turn about the origin, scaled, and moved by (3, -1) of the scale."""
     c, s = scale * np.cos(angle), scale * np.sin(angle)
     return np.array([[c, -s, 3 * scale], [s, c, -scale]])
+
+
+def target_at(found: Correspondence, u: Floats) -> Floats:
+    """Places on the target, in [0, 1), of places on the source."""
+    return _follow(found.u, found.v, u)
+
+
+def source_at(found: Correspondence, v: Floats) -> Floats:
+    """Places on the source, in [0, 1), of places on the target."""
+    return _follow(found.v, found.u, v)
+
+
+def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
+    """Piecewise linear from `knots` to `values`, both over one turn, at places modulo 1."""
+    x = at - knots[0]
+    result = np.interp(x - np.floor(x), knots - knots[0], values)
+    return np.asarray(result - np.floor(result))
 
 
 def apart(a: Floats, b: Floats) -> float:

@@ -9,7 +9,7 @@ from shapetween.correspond.correspondence import Correspondence
 from shapetween.correspond.sampling import sample
 from shapetween.correspond.symmetry import Axes, aligned_axes, mirror_axes
 from shapetween.outline import Outline
-from tests.correspond.shapes import polygon, rotation, rounded, star
+from tests.correspond.shapes import polygon, rotation, rounded, star, target_at
 
 GRID = np.arange(200) / 200
 
@@ -31,8 +31,8 @@ def unevenness(found: Correspondence, a: Outline, b: Outline) -> float:
     axes = [mirror_axes(sample(outline).points) for outline in (a, b)]
     starts = [sample(outline).start for outline in (a, b)]
     ends = [start + axis.ends[0] for start, axis in zip(starts, axes, strict=True)]
-    there = found.target_at(ends[0] + GRID) - ends[1]
-    back = found.target_at(ends[0] - GRID) - ends[1]
+    there = target_at(found, ends[0] + GRID) - ends[1]
+    back = target_at(found, ends[0] - GRID) - ends[1]
     gap = there + back
     return float(np.abs(gap - np.round(gap)).max())
 
