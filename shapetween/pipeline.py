@@ -13,7 +13,8 @@ from shapetween.interpolate import check_method
 from shapetween.mesh import MeshPair
 from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
-from shapetween.shapes.aboard import RidingPart, ShownPart
+from shapetween.plane.check import LOOKED
+from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart
 from shapetween.shapes.fill import FillSettings
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.paths import plain_shapes
@@ -94,18 +95,15 @@ class Prepared:
     @property
     def filled(self) -> tuple[FilledPart, ...]:
         """What has meshes: the carrier, and parts that move by themselves."""
-        own = (part for part in self._own_parts() if isinstance(part, FilledPart))
+        own = (part for part in _unrepeated(self.movement.parts) if isinstance(part, FilledPart))
         return (*([self.carrier] if self.carrier else []), *own)
 
     @property
     def riding(self) -> tuple[RidingPart, ...]:
         """What becomes something else while it rides."""
-        return tuple(part for part in self._own_parts() if isinstance(part, RidingPart))
-
-    def _own_parts(self) -> list[Part]:
-        """The parts, each once, also where it is shown in two places."""
-        parts = (p.part if isinstance(p, ShownPart) else p for p in self.movement.parts)
-        return list({id(part): part for part in parts}.values())
+        return tuple(
+            part for part in _unrepeated(self.movement.parts) if isinstance(part, RidingPart)
+        )
 
 
 @one_thread()
@@ -154,9 +152,32 @@ def prepare(
     )
     warnings += said
     settings.check_used()
+    if chosen.folds == "prevent":
+        with observe("move"):
+            warnings += _of_riders(parts)
     title = " to ".join(t for t in (source.title, target.title) if t)
     movement = Movement(parts, source.box, title)
     return Prepared(movement, matrix, tuple(dict.fromkeys(warnings)), carrier)
+
+
+def _of_riders(parts: tuple[Part, ...]) -> list[str]:
+    """What to say of shapes in which something that only rides crosses itself on the way."""
+    own = _unrepeated(parts)
+    crossing = sum(
+        bool(part.crossing(LOOKED).any())
+        for part in own
+        if isinstance(part, FilledPart | LonePart | RidingPart)
+    )
+    if not crossing:
+        return []
+    among = f"{crossing} of {len(own)} shapes" if len(own) > 1 else "the shape"
+    return [f"in {among}, parts that ride along cross themselves on the way"]
+
+
+def _unrepeated(parts: tuple[Part, ...]) -> list[Part]:
+    """The parts, each once, also where it is shown in two places."""
+    shown = (p.part if isinstance(p, ShownPart) else p for p in parts)
+    return list({id(part): part for part in shown}.values())
 
 
 def _corners(box: Box) -> Points:

@@ -10,14 +10,12 @@ from shapetween.geometry.homography import homogeneous_weights, quad_homographie
 from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh import MeshPair
 from shapetween.pipeline import Prepared
+from shapetween.plane.check import LOOKED
 from shapetween.rings.body import Carried, RingMatch
 from shapetween.shapes.aboard import RidingPart
 from shapetween.version import installed_version
 
 __all__ = ["build", "build_chain", "mesh_figures"]
-
-#: Times at which shapes that ride are looked at. More are dear where there are hundreds.
-LOOKED = np.linspace(0, 1, 11)[1:-1]
 
 
 def build(prepared: Prepared, method: str) -> dict[str, Any]:

@@ -8,13 +8,14 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.arrays import Points
+from shapetween.arrays import Curves, Floats, Points
 from shapetween.drawing import Drawing, Shape
 from shapetween.errors import OptionError, OutlineError
-from shapetween.geometry.bezier import evaluate, flatten
+from shapetween.geometry.bezier import evaluate, flatten, line_curves
 from shapetween.outline import Outline
 from shapetween.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.riding.passengers import Passenger
 from shapetween.riding.riders import Leaver
 from shapetween.shapes.aboard import LonePart, RidingPart
 from tests.drawings import area, drawing, line, ring, square
@@ -290,3 +291,24 @@ def test_any_simple_polygons(seed: int, first: int, second: int) -> None:
     assert points.max() < 160
     crossing = sum(not polygon(frame.shapes[0].rings[0]).is_valid for frame in frames[1:-1])
     assert crossing == 0 or any("crosses itself" in w for w in prepared.warnings)
+
+
+def test_a_hole_that_crosses_itself_while_it_closes_is_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A hole without a partner rides on the plane, which holds only what it was built around."""
+    first = drawing(area(square(0, 0, 30), square(10, 10, 8).reversed()))
+    second = drawing(area(square(0, 0, 30).transformed(np.array([[1, 0.2, 0], [0.4, 1, 0]]))))
+    assert not any("ride" in w for w in prepare(first, second).warnings)
+    there = Passenger.curves
+
+    def tied(self: Passenger, t: Floats, vertices: Points | None = None) -> Curves:
+        curves = there(self, t, vertices)
+        inner = ((t > 0) & (t < 1))[:, None, None, None]
+        swapped = line_curves(curves[:, :, 0][:, [0, 2, 1, 3]], curves[:, :, 0][:, [2, 1, 3, 0]])
+        return np.asarray(np.where(inner, swapped, curves))
+
+    monkeypatch.setattr(Passenger, "curves", tied)
+    told = "in the shape, parts that ride along cross themselves on the way"
+    assert told in prepare(first, second).warnings
+    assert told not in prepare(first, second, Options(folds="allow")).warnings

@@ -7,11 +7,11 @@ import numpy as np
 
 from shapetween.arrays import Affine, Curves, Floats, Mask
 from shapetween.blend import blend
-from shapetween.geometry.bezier import curve_lengths, flatten
+from shapetween.geometry.bezier import curve_lengths
 from shapetween.gradients import has_gradient, moved_style
 from shapetween.movement import Part
 from shapetween.paint import Style
-from shapetween.plane.check import simple_frames
+from shapetween.plane.check import crossing_frames
 from shapetween.riding.planes import Plane
 from shapetween.riding.riders import Leaver, Rider, Tip
 from shapetween.riding.ties import Tied
@@ -22,9 +22,6 @@ __all__ = ["LonePart", "RidingPart", "ShownPart"]
 #: Share of its whole length at which a line that grows from its end has its full width. Earlier,
 #: and a round cap flashes up; later, and the line grows like a wedge.
 FULL_WIDTH = 0.25
-
-#: Chords of a curve where it is seen whether a ring crosses itself.
-CHORDS = 4
 
 
 AnyRider: TypeAlias = Rider | Leaver | Tip | Tied
@@ -37,6 +34,7 @@ class _Ridden:
     __slots__ = ()
 
     riders: tuple[AnyRider, ...]
+    closed: tuple[bool, ...]
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -46,6 +44,16 @@ class _Ridden:
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         return np.concatenate([rider.curves(t) for rider in self.riders], axis=1)
+
+    def crossing(self, t: Floats) -> Mask:
+        """At which times (F,) a closed ring that bounds an area crosses itself."""
+        if not self._bounds_area:
+            return np.zeros(len(t), dtype=bool)
+        return crossing_frames(self.curves(t), self.rings, self.closed)
+
+    @property
+    def _bounds_area(self) -> bool:
+        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,19 +97,13 @@ class RidingPart(_Ridden):
             motion = WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
         return cls(name, styles, riders, closed, plane, motion)
 
+    @property
+    def _bounds_area(self) -> bool:
+        return any(style.fill is not None for style in self.styles)
+
     def style(self, t: float) -> Style:
         """Paint at one time."""
         return blend(*self.styles, t, self.motion)
-
-    def crossing(self, t: Floats) -> Mask:
-        """At which times (F,) one of the rings that bound an area crosses itself."""
-        found = np.zeros(len(t), dtype=bool)
-        if all(style.fill is None for style in self.styles):
-            return found
-        for rider in self.riders:
-            if isinstance(rider, Rider) and rider.closed:
-                found |= ~simple_frames(flatten(rider.curves(t), CHORDS))
-        return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,6 +133,10 @@ class LonePart(_Ridden):
     arrives: bool
     plane: Plane
     fades: bool = False
+
+    @property
+    def _bounds_area(self) -> bool:
+        return self.whole.fill is not None
 
     def style(self, t: float) -> Style:
         """Paint at one time; gradients shrink and a stroke thins out with the shape."""

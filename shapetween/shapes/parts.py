@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats
+from shapetween.arrays import Curves, Floats, Mask, Points
 from shapetween.blend import blend
 from shapetween.paint import Style
+from shapetween.plane.check import crossing_frames
 from shapetween.riding.passengers import Passenger
 from shapetween.riding.riders import Rider
 from shapetween.rings.body import Carried
@@ -53,9 +54,22 @@ class FilledPart:
         # Solving a plane's motion costs most: once for its body and all that ride on it.
         solved = {id(body): body.path.vertices(t) for body in self.bodies}
         drawn = [body.nodes.curves(solved[id(body)], t) for body in self.bodies]
-        drawn += [rider.curves(t, solved.get(id(rider.on))) for rider in self.passengers]
-        drawn += [speck.curves(t) for speck in self.specks]
-        return np.concatenate(drawn, axis=1)
+        return np.concatenate([*drawn, *self._ridden(t, solved)], axis=1)
+
+    def crossing(self, t: Floats) -> Mask:
+        """At which times (F,) a ring that rides on the bodies crosses itself."""
+        riders: tuple[Passenger | Rider, ...] = (*self.passengers, *self.specks)
+        counts = [n for rider in riders for n in rider.counts]
+        if not counts:
+            return np.zeros(len(t), dtype=bool)
+        solved = {id(body): body.path.vertices(t) for body in self.bodies}
+        drawn = np.concatenate(self._ridden(t, solved), axis=1)
+        return crossing_frames(drawn, counts, [True] * len(counts))
+
+    def _ridden(self, t: Floats, solved: dict[int, Points]) -> list[Curves]:
+        """Control points of what rides, with the bodies' vertices at the times."""
+        riding = [rider.curves(t, solved.get(id(rider.on))) for rider in self.passengers]
+        return riding + [speck.curves(t) for speck in self.specks]
 
     def style(self, t: float) -> Style:
         """Paint at one time."""
