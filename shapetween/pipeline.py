@@ -14,7 +14,7 @@ from shapetween.mesh import MeshPair
 from shapetween.movement import Movement, Part
 from shapetween.observe import Observer, unobserved
 from shapetween.plane.check import LOOKED
-from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart
+from shapetween.shapes.aboard import LonePart, RidingPart, unrepeated
 from shapetween.shapes.fill import FillSettings
 from shapetween.shapes.parts import FilledPart
 from shapetween.shapes.paths import plain_shapes
@@ -95,14 +95,14 @@ class Prepared:
     @property
     def filled(self) -> tuple[FilledPart, ...]:
         """What has meshes: the carrier, and parts that move by themselves."""
-        own = (part for part in _unrepeated(self.movement.parts) if isinstance(part, FilledPart))
+        own = (part for part in unrepeated(self.movement.parts) if isinstance(part, FilledPart))
         return (*([self.carrier] if self.carrier else []), *own)
 
     @property
     def riding(self) -> tuple[RidingPart, ...]:
         """What becomes something else while it rides."""
         return tuple(
-            part for part in _unrepeated(self.movement.parts) if isinstance(part, RidingPart)
+            part for part in unrepeated(self.movement.parts) if isinstance(part, RidingPart)
         )
 
 
@@ -162,7 +162,7 @@ def prepare(
 
 def _of_riders(parts: tuple[Part, ...]) -> list[str]:
     """What to say of shapes in which something that only rides crosses itself on the way."""
-    own = _unrepeated(parts)
+    own = unrepeated(parts)
     crossing = sum(
         bool(part.crossing(LOOKED).any())
         for part in own
@@ -172,12 +172,6 @@ def _of_riders(parts: tuple[Part, ...]) -> list[str]:
         return []
     among = f"{crossing} of {len(own)} shapes" if len(own) > 1 else "the shape"
     return [f"in {among}, parts that ride along cross themselves on the way"]
-
-
-def _unrepeated(parts: tuple[Part, ...]) -> list[Part]:
-    """The parts, each once, also where it is shown in two places."""
-    shown = (p.part if isinstance(p, ShownPart) else p for p in parts)
-    return list({id(part): part for part in shown}.values())
 
 
 def _corners(box: Box) -> Points:

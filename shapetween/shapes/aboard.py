@@ -1,5 +1,6 @@
 """Drawn paths that ride on a drawing's movement: pairs of shapes, and shapes without a partner."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -17,7 +18,7 @@ from shapetween.riding.riders import Leaver, Rider, Tip
 from shapetween.riding.ties import Tied
 from shapetween.whole import MOTION_TIMES, WholeMotion
 
-__all__ = ["LonePart", "RidingPart", "ShownPart"]
+__all__ = ["LonePart", "RidingPart", "ShownPart", "unrepeated"]
 
 #: Share of its whole length at which a line that grows from its end has its full width. Earlier,
 #: and a round cap flashes up; later, and the line grows like a wedge.
@@ -208,3 +209,9 @@ class ShownPart:
         if start <= t < end or t == end == 1:
             return self.part.style(t)
         return Style(fill=None, fill_rule=self.part.style(t).fill_rule)
+
+
+def unrepeated(parts: Sequence[Part]) -> list[Part]:
+    """The parts themselves, each once, also those shown in two places."""
+    shown = (part.part if isinstance(part, ShownPart) else part for part in parts)
+    return list({id(part): part for part in shown}.values())

@@ -13,7 +13,7 @@ from shapetween.drawing import Shape
 from shapetween.errors import OutlineError
 from shapetween.paint import Style
 from shapetween.shapes.flow import Flow
-from shapetween.shapes.naming import is_given
+from shapetween.shapes.naming import common_names
 from shapetween.shapes.overlaps import laid_on
 from shapetween.shapes.pairing import Settled
 from shapetween.shapes.regions import regions_of
@@ -74,8 +74,7 @@ def gather_areas(
     """
     sides = first, second
     same = tuple(first), tuple(second), tuple(settled)
-    names = [{shape.name for shape in side if is_given(shape.name)} for side in sides]
-    kept = (names[0] & names[1]) - {""}
+    kept = common_names(first, second)
     free = [
         [
             k

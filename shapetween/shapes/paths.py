@@ -9,7 +9,7 @@ from shapetween.drawing import Shape
 from shapetween.geometry.bezier import end_tangents
 from shapetween.outline import Outline
 from shapetween.paint import Gradient, Stroke
-from shapetween.shapes.naming import is_given
+from shapetween.shapes.naming import common_names
 
 __all__ = ["plain_shapes"]
 
@@ -38,8 +38,7 @@ def plain_shapes(
     sides = _plain(first), _plain(second)
     if not all(any(shape.style.fill is None for shape in side) for side in sides):
         return sides
-    names = [{s.name for s in side if s.name and is_given(s.name)} for side in sides]
-    whole = {*kept, *(names[0] & names[1])}
+    whole = {*kept, *common_names(*sides)}
     return _apart(sides[0], whole), _apart(sides[1], whole)
 
 

@@ -20,7 +20,7 @@ from shapetween.outline import Outline
 from shapetween.paint import Gradient
 from shapetween.rings.matched import cut_curves
 from shapetween.shapes.flow import Flow
-from shapetween.shapes.naming import is_given
+from shapetween.shapes.naming import common_names
 from shapetween.shapes.pairing import Settled
 
 __all__ = ["share_lines"]
@@ -110,8 +110,7 @@ def share_lines(
     if not flow.bodies:
         return same
     extent = max(lane.extents[1] for lane in flow.lanes)
-    names = [{s.name for s in shapes if is_given(s.name)} for shapes in (first, second)]
-    kept = (names[0] & names[1]) - {""}
+    kept = common_names(first, second)
     sides = []
     for end, shapes in enumerate((first, second)):
         whole = {pair[end] for pair in settled}

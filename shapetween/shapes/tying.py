@@ -9,7 +9,7 @@ from shapetween.movement import Part
 from shapetween.paint import Style
 from shapetween.riding.riders import Rider, Tip
 from shapetween.riding.ties import Spot, Tie, Tied
-from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart
+from shapetween.shapes.aboard import LonePart, RidingPart, ShownPart, unrepeated
 from shapetween.shapes.junctions import DrawnLine, Junctions, junctions
 
 __all__ = ["tied"]
@@ -70,7 +70,7 @@ def tied(parts: Sequence[Part]) -> tuple[Part, ...]:
     Where two lines end on each other the shorter one is tied; no line is tied to itself by way of
     others. Lines that become others are not tied to lines that come or go.
     """
-    own = list({id(bare): bare for bare in map(_bare, parts)}.values())
+    own = unrepeated(parts)
     lines = [line for k, part in enumerate(own) for line in _lines(part, k)]
     if len(lines) < 2:
         return tuple(parts)
@@ -105,10 +105,6 @@ def tied(parts: Sequence[Part]) -> tuple[Part, ...]:
         else fresh.get(id(part), part)
         for part in parts
     )
-
-
-def _bare(part: Part) -> Part:
-    return part.part if isinstance(part, ShownPart) else part
 
 
 def _lines(part: Part, number: int) -> list[_Line]:
