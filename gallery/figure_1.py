@@ -8,7 +8,7 @@ from shapetween.gallery import Exhibit, Picture
 from shapetween.gallery.canvas import FAINT, Canvas, Panel, checkerboard
 from shapetween.interpolate import tween
 from shapetween.interpolate.inside import Inside, Interior
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 #: The same as warps of a picture, which ``image_board.py`` draws.
 WARPED = Path(__file__).parent / "image_figure_1.webp"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points, Quads
+from shapetween.base.arrays import Floats, Points, Quads
 from shapetween.gallery import Exhibit, Picture
 from shapetween.gallery.canvas import FAINT, Canvas, Panel, checkerboard
 from shapetween.geometry.homography import apply_homography, quad_homographies

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from shapetween.align import Equilibrium
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 from shapetween.gallery import Exhibit, Picture
 from shapetween.gallery.canvas import FAINT, Canvas, Panel
 from shapetween.interpolate import tween
+from shapetween.interpolate.align import Equilibrium
 from shapetween.interpolate.projective import PaperProjective
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 #: Three quads around a corner, as in the paper, and the same ones pulled about.
 A = np.array([[0, 1.0], [0.95, 0.8], [1.0, 1.9], [0, 2.1], [2.0, 1.0], [2.1, 2.0], [1.2, 3.0]])

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 from shapetween.gallery import Exhibit, Picture
 from shapetween.gallery.strips import method_strips
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 SEGMENTS = 3
 

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Floats, Points, times
+from shapetween.base.arrays import Floats, Points, times
 from shapetween.gallery import Exhibit, Picture
 from shapetween.gallery.strips import method_strips
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 #: Three faces around a corner.
 CORNERS = np.array(

@@ -14,15 +14,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw, ImageFont
 
-from shapetween.arrays import Floats, Index, Points, times
-from shapetween.frames import easing_function, even_times
-from shapetween.image.layers import Piece
-from shapetween.image.light import Bytes
-from shapetween.image.picture import Picture
-from shapetween.image.transition import Transition
-from shapetween.image.writers import Clock, writer_for
+from shapetween.base.arrays import Floats, Index, Points, times
 from shapetween.interpolate import tween
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
+from shapetween.photo.layers import Piece
+from shapetween.photo.transition import Transition
+from shapetween.raster.encode import Clock, writer_for
+from shapetween.raster.light import Bytes
+from shapetween.raster.picture import Picture
+from shapetween.timing.easing import easing_function, even_times
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 
 from shapetween.api import morph
-from shapetween.frames import easing_function, even_times
-from shapetween.image.film import Film
-from shapetween.image.writers import Clock, writer_for
-from shapetween.paint import Colour
+from shapetween.model.paint import Colour
+from shapetween.raster.encode import Clock, writer_for
+from shapetween.raster.film import Film
+from shapetween.timing.easing import easing_function, even_times
 
 HERE = Path(__file__).parent
 INPUTS = HERE / "inputs"

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
-from shapetween.arrays import Curves, Floats, Points
+from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry import bezier
 
 INPUTS = Path(__file__).parent / "inputs"

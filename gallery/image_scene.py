@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 from shapetween.geometry.homography import quad_homographies
 
 INPUTS = Path(__file__).parent / "inputs"

@@ -6,11 +6,11 @@ does, without any knowledge of space. Run ``image_scene.py`` first to draw the p
 
 from pathlib import Path
 
-from shapetween.frames import easing_function, even_times
-from shapetween.image.load import read_picture
-from shapetween.image.sources import read_moving
-from shapetween.image.transition import Transition
-from shapetween.image.writers import Clock, writer_for
+from shapetween.photo.sources import read_moving
+from shapetween.photo.transition import Transition
+from shapetween.raster.encode import Clock, writer_for
+from shapetween.raster.load import read_picture
+from shapetween.timing.easing import easing_function, even_times
 
 HERE = Path(__file__).parent
 INPUTS = HERE / "inputs"

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import shapetween as st
-from shapetween.fit import Fit
 from shapetween.gallery import Exhibit, Picture
+from shapetween.model.fit import Fit
 
 INPUTS = Path(__file__).parent / "inputs"
 

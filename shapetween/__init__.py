@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from shapetween.api import Morph, morph
+    from shapetween.base.errors import ShapetweenError
     from shapetween.chains import Chain, chain
-    from shapetween.drawing import Drawing
-    from shapetween.errors import ShapetweenError
     from shapetween.interpolate import tween
     from shapetween.interpolate.quads import interpolate_quads
-    from shapetween.mesh import MeshPair
+    from shapetween.mesh.pair import MeshPair
+    from shapetween.model.drawing import Drawing
 
 __all__ = [
     "Chain",
@@ -33,10 +33,10 @@ __all__ = [
 #: Where each public name lives; nothing is imported before it is asked for.
 _HOMES = {
     "Chain": "shapetween.chains",
-    "Drawing": "shapetween.drawing",
-    "MeshPair": "shapetween.mesh",
+    "Drawing": "shapetween.model.drawing",
+    "MeshPair": "shapetween.mesh.pair",
     "Morph": "shapetween.api",
-    "ShapetweenError": "shapetween.errors",
+    "ShapetweenError": "shapetween.base.errors",
     "chain": "shapetween.chains",
     "interpolate_quads": "shapetween.interpolate.quads",
     "morph": "shapetween.api",

@@ -8,17 +8,18 @@ from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
-from shapetween import files, report
-from shapetween.drawing import Drawing
-from shapetween.errors import OptionError
-from shapetween.fit import Fit, inverted, mapped
-from shapetween.frames import easing_function, even_times
-from shapetween.linked import pictures_beside
-from shapetween.mesh import MeshPair
-from shapetween.observe import Observer, unobserved
+from shapetween import report
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.io import files
+from shapetween.io.linked import pictures_beside
+from shapetween.mesh.pair import MeshPair
+from shapetween.model.drawing import Drawing
+from shapetween.model.fit import Fit, inverted, mapped
 from shapetween.pipeline import Folds, Options, Prepared, prepare
-from shapetween.svg.diagram import MeshView
-from shapetween.svg.read import read_svg
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.diagram import MeshView
+from shapetween.timing.easing import easing_function, even_times
 
 __all__ = ["Morph", "Source", "morph", "name_of", "opened"]
 
@@ -69,7 +70,7 @@ class Morph:
         precision: int | None = None,
     ) -> str:
         """The movement as the text of one animated SVG; both drawings stand still for `hold`."""
-        from shapetween.svg.smil import smil_svg
+        from shapetween.svg.write.smil import smil_svg
 
         return smil_svg(
             self.prepared.movement,
@@ -98,13 +99,13 @@ class Morph:
 
     def mesh_json(self) -> str:
         """The meshes as the text of a file that can be edited and given back."""
-        from shapetween.meshfile import dump_meshes
+        from shapetween.mesh.file import dump_meshes
 
         return dump_meshes([(view.name, view.pair) for view in self._checked_views()])
 
     def mesh_svg(self, names: tuple[str, str] = ("A", "B")) -> str:
         """A picture of both shapes with numbered quads and the nodes that belong together."""
-        from shapetween.svg.diagram import mesh_svg
+        from shapetween.svg.write.diagram import mesh_svg
 
         return mesh_svg(self._checked_views(), names)
 
@@ -173,7 +174,7 @@ def morph(
         Let the shapes of a drawing ride on the movement of its silhouette; else each moves by
         itself.
     pictures : bool
-        Keep patterns and pictures in files, for a `shapetween.image.film.Film` of the movement.
+        Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
     observe : Observer, optional
         Told of every stage as it begins and ends.
 

@@ -8,12 +8,13 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Literal
 
-from shapetween import files, report
+from shapetween import report
 from shapetween.api import Morph, Source, name_of, opened
-from shapetween.drawing import Drawing
-from shapetween.errors import OptionError
-from shapetween.fit import Fit, fit_matrix
-from shapetween.observe import Observer, unobserved
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.io import files
+from shapetween.model.drawing import Drawing
+from shapetween.model.fit import Fit, fit_matrix
 from shapetween.pipeline import Folds, Options, prepare
 
 __all__ = ["Chain", "chain"]
@@ -76,7 +77,7 @@ class Chain:
         `duration`, `easing` and `keyframes` are those of each leg, and every drawing stands still
         for `hold` seconds. Going back, or starting over, concerns the whole.
         """
-        from shapetween.svg.smil import smil_svg
+        from shapetween.svg.write.smil import smil_svg
 
         return smil_svg(
             *(leg.prepared.movement for leg in self.legs),

@@ -5,21 +5,21 @@ from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
-from shapetween.arrays import Affine, Points
-from shapetween.drawing import Box, Drawing, Shape
-from shapetween.errors import OptionError
-from shapetween.fit import Fit, fit_matrix, mapped
+from shapetween.base.arrays import Affine, Points
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.base.threads import one_thread
+from shapetween.deform.check import LOOKED
+from shapetween.elastic.aboard import LonePart, RidingPart, unrepeated
+from shapetween.elastic.fill import FillSettings
+from shapetween.elastic.parts import FilledPart
+from shapetween.elastic.paths import plain_shapes
+from shapetween.elastic.together import move_together
 from shapetween.interpolate import check_method
-from shapetween.mesh import MeshPair
-from shapetween.movement import Movement, Part
-from shapetween.observe import Observer, unobserved
-from shapetween.plane.check import LOOKED
-from shapetween.shapes.aboard import LonePart, RidingPart, unrepeated
-from shapetween.shapes.fill import FillSettings
-from shapetween.shapes.parts import FilledPart
-from shapetween.shapes.paths import plain_shapes
-from shapetween.shapes.together import move_together
-from shapetween.threads import one_thread
+from shapetween.mesh.pair import MeshPair
+from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.model.fit import Fit, fit_matrix, mapped
+from shapetween.model.movement import Movement, Part
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 

@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from shapetween.base.version import installed_version
+from shapetween.deform.check import LOOKED
+from shapetween.elastic.aboard import RidingPart
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
+from shapetween.outline.body import Carried, RingMatch
 from shapetween.pipeline import Prepared
-from shapetween.plane.check import LOOKED
-from shapetween.rings.body import Carried, RingMatch
-from shapetween.shapes.aboard import RidingPart
-from shapetween.version import installed_version
 
 __all__ = ["build", "build_chain", "mesh_figures"]
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 from shapetween.geometry.bezier import line_curves
-from shapetween.outline import Outline
+from shapetween.model.outline import Outline
 
 __all__ = ["coast"]
 

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.arrays import Points
-from shapetween.drawing import Box, Drawing, Shape
+from shapetween.base.arrays import Points
 from shapetween.geometry.bezier import line_curves
-from shapetween.outline import Outline
-from shapetween.paint import Colour, Paint, Stroke, Style
+from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Paint, Stroke, Style
 
 __all__ = ["BOX", "area", "drawing", "line", "ring", "square"]
 

@@ -6,11 +6,11 @@ from typing import TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Points
-from shapetween.blend import blend
-from shapetween.drawing import Box
-from shapetween.movement import Movement
-from shapetween.paint import Colour, Style
+from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.model.blend import blend
+from shapetween.model.drawing import Box
+from shapetween.model.movement import Movement
+from shapetween.model.paint import Colour, Style
 
 #: From times (F,) and curves (N, 4, 2) to (F, N, 4, 2).
 Move: TypeAlias = Callable[[Floats, Curves], Curves]

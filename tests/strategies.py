@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import assume
 from hypothesis import strategies as st
 
-from shapetween.arrays import Floats, Index, Points, Quads
+from shapetween.base.arrays import Floats, Index, Points, Quads
 
 __all__ = ["affine_maps", "convex_quads", "grid", "rotation", "times"]
 

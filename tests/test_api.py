@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import shapetween as st
-from shapetween.errors import InputError, OptionError
-from shapetween.meshfile import load_meshes
+from shapetween.base.errors import InputError, OptionError
+from shapetween.mesh.file import load_meshes
 from tests.cli.commands import SQUARE, TRIANGLE, svg
 from tests.drawings import area, drawing, line, square
 

@@ -10,10 +10,10 @@ import pytest
 import shapely
 
 import shapetween as st
-from shapetween.drawing import Box, Drawing
-from shapetween.errors import InputError, OptionError
+from shapetween.base.errors import InputError, OptionError
 from shapetween.geometry.bezier import evaluate
-from shapetween.svg.sequence import frame_svg
+from shapetween.model.drawing import Box, Drawing
+from shapetween.svg.write.sequence import frame_svg
 from tests.cli.commands import SQUARE, TRIANGLE, svg
 from tests.drawings import area, drawing, line, square
 

@@ -7,10 +7,10 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
-from shapetween.fit import Fit
+from shapetween.model.fit import Fit
 from shapetween.pipeline import Options, prepare
-from shapetween.svg.read import read_svg
-from shapetween.svg.sequence import frame_svg
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.sequence import frame_svg
 
 XMLNS = 'xmlns="http://www.w3.org/2000/svg"'
 PAGE = f"<svg {XMLNS} viewBox='0 0 100 100'>"

@@ -6,12 +6,12 @@ import re
 import numpy as np
 import pytest
 
-from shapetween.errors import ShapetweenError
+from shapetween.base.errors import ShapetweenError
 from shapetween.pipeline import Options, prepare
-from shapetween.svg.limits import Limits
-from shapetween.svg.read import read_svg
-from shapetween.svg.sequence import frame_svg
-from shapetween.svg.smil import smil_svg
+from shapetween.svg.read.limits import Limits
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.sequence import frame_svg
+from shapetween.svg.write.smil import smil_svg
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 30">'
 SEEDS = {

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from shapetween.base.errors import OptionError
 from shapetween.cli import main
-from shapetween.errors import OptionError
 from shapetween.gallery import Exhibit, Picture, Room, exhibits, index_html, write_pictures
 
 GALLERY = Path(__file__).resolve().parents[1] / "gallery"

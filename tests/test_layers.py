@@ -65,4 +65,4 @@ def test_the_library_never_imports_the_command_line() -> None:
 
 
 def test_clocks_stay_at_the_command_line() -> None:
-    assert users("time") <= {"progress", "cli", "batch"}
+    assert users("time") <= {"io", "cli", "batch"}

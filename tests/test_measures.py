@@ -6,11 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from shapetween.arrays import Floats, Points
-from shapetween.errors import MeshError, OptionError, ShapeError
-from shapetween.interpolate import METHODS
-from shapetween.interpolate.inside import Inside
-from shapetween.measures import (
+from shapetween.base.arrays import Floats, Points
+from shapetween.base.errors import MeshError, OptionError, ShapeError
+from shapetween.compare.measures import (
     arap_energy,
     boundary_edges,
     conformal_distortion,
@@ -29,7 +27,9 @@ from shapetween.measures import (
     transfer_error,
     travel,
 )
-from shapetween.mesh import MeshPair
+from shapetween.interpolate import METHODS
+from shapetween.interpolate.inside import Inside
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import grid, rotation
 
 angle = st.floats(-np.pi, np.pi)

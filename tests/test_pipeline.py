@@ -8,18 +8,18 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.arrays import Curves, Floats, Points
-from shapetween.drawing import Drawing, Shape
-from shapetween.errors import OptionError, OutlineError
+from shapetween.attach.passengers import Passenger
+from shapetween.attach.riders import Leaver
+from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.base.errors import OptionError, OutlineError
+from shapetween.elastic.aboard import LonePart, RidingPart
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
-from shapetween.outline import Outline
-from shapetween.paint import Colour, Stroke
+from shapetween.model.drawing import Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
-from shapetween.riding.passengers import Passenger
-from shapetween.riding.riders import Leaver
-from shapetween.shapes.aboard import LonePart, RidingPart
 from tests.drawings import area, drawing, line, ring, square
-from tests.meshing.pairs import untangled
+from tests.mesh.pairs import untangled
 from tests.movements import circle
 
 T = np.linspace(0, 1, 41)

@@ -8,12 +8,12 @@ import pytest
 import shapely
 from scipy.spatial import KDTree
 
-from shapetween.arrays import Affine, Points
-from shapetween.drawing import Box, Drawing
+from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.bezier import evaluate, sub_curves
-from shapetween.outline import Outline
+from shapetween.model.drawing import Box, Drawing
+from shapetween.model.outline import Outline
 from shapetween.pipeline import Options, Prepared, prepare
-from shapetween.svg.read import read_svg
+from shapetween.svg.read.reader import read_svg
 from tests.strategies import rotation
 
 INPUTS = Path(__file__).resolve().parents[1] / "gallery" / "inputs"

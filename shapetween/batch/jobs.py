@@ -10,7 +10,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from shapetween.errors import InputError, OptionError, ShapetweenError
+from shapetween.base.errors import InputError, OptionError, ShapetweenError
 
 __all__ = ["Job", "all_pairs_in", "check_jobs", "pairs_in", "read_table"]
 

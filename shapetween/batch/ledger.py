@@ -12,8 +12,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from shapetween import files
-from shapetween.errors import ShapetweenError
+from shapetween.base.errors import ShapetweenError
+from shapetween.io import files
 
 __all__ = ["Entry", "Ledger"]
 

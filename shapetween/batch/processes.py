@@ -63,7 +63,7 @@ def _follow_parent() -> None:
 def _warm() -> None:
     """Import what every task needs."""
     import shapetween.api
-    import shapetween.svg.smil  # noqa: F401
+    import shapetween.svg.write.smil  # noqa: F401
 
 
 @contextmanager

@@ -8,12 +8,12 @@ from hashlib import sha256
 from itertools import chain, islice
 from pathlib import Path
 
-from shapetween import files
+from shapetween.base.errors import OptionError, ShapetweenError
 from shapetween.batch.jobs import Job, check_jobs
 from shapetween.batch.ledger import Entry, Ledger
 from shapetween.batch.processes import process_pool
 from shapetween.batch.work import Made, Task, Unmade, make
-from shapetween.errors import OptionError, ShapetweenError
+from shapetween.io import files
 
 __all__ = ["Outcome", "run_batch"]
 

@@ -12,8 +12,8 @@ from hashlib import sha256
 from json import dumps
 from typing import Any
 
-from shapetween.errors import ShapetweenError
-from shapetween.version import installed_version
+from shapetween.base.errors import ShapetweenError
+from shapetween.base.version import installed_version
 
 __all__ = ["Made", "Task", "Unmade", "make"]
 
@@ -83,9 +83,9 @@ def make(task: Task) -> Made | Unmade:
 
 def _made(task: Task) -> Made:
     from shapetween.api import Morph
-    from shapetween.meshfile import load_meshes
+    from shapetween.mesh.file import load_meshes
     from shapetween.pipeline import Options, prepare
-    from shapetween.svg.read import read_svg
+    from shapetween.svg.read.reader import read_svg
 
     seconds: dict[str, float] = {}
 

@@ -11,11 +11,11 @@ from typing import Any
 
 import click
 
+from shapetween.base.errors import OptionError
 from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
 from shapetween.cli.told import wrote
 from shapetween.cli.values import PATH, Whole
-from shapetween.errors import OptionError
 
 __all__ = ["batch"]
 
@@ -164,8 +164,8 @@ def batch(
 
 def _check_kept(table: Path, folder: Path) -> None:
     """Check that the summary does not replace the table."""
-    from shapetween import files
     from shapetween.batch.ledger import Ledger
+    from shapetween.io import files
 
     if any(files.same_file(place, table) for place in Ledger(folder).places):
         raise OptionError(
@@ -175,8 +175,8 @@ def _check_kept(table: Path, folder: Path) -> None:
 
 def _jobs_of(table: Path, options: dict[str, Any]) -> list[Any]:
     """Jobs of a table, whose columns are the options of `morph`."""
-    from shapetween import files
     from shapetween.batch import read_table
+    from shapetween.io import files
 
     columns = {
         max(param.opts, key=len).removeprefix("--"): (name, _reader(param))
@@ -204,7 +204,7 @@ def _reader(param: click.Parameter) -> Callable[[str], Any]:
 def _check_easing(name: str) -> None:
     if name == "linear":  # known good, without what it takes to know the others
         return
-    from shapetween.frames import easing_function
+    from shapetween.timing.easing import easing_function
 
     easing_function(name)
 

@@ -12,7 +12,7 @@ from shapetween.cli.options import (
     duration_option,
     out_option,
 )
-from shapetween.progress import Progress
+from shapetween.io.progress import Progress
 
 __all__ = ["compare"]
 
@@ -32,7 +32,7 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
     First comes --method where folds are prevented, then every method by itself. All share one
     matching and one mesh. A method that fails is shown with the reason in its place.
     """
-    from shapetween import files
+    from shapetween.io import files
 
     path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
     form = files.check_form(path, "a comparison", (".html", ".htm", ".svg", ".json"))

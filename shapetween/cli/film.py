@@ -5,15 +5,15 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from shapetween.errors import OptionError
-from shapetween.progress import Progress
+from shapetween.base.errors import OptionError
+from shapetween.io.progress import Progress
 
 if TYPE_CHECKING:
     from shapetween.api import Morph
     from shapetween.chains import Chain
-    from shapetween.image.film import Film
-    from shapetween.image.light import Bytes
-    from shapetween.paint import Colour
+    from shapetween.model.paint import Colour
+    from shapetween.raster.film import Film
+    from shapetween.raster.light import Bytes
 
 __all__ = [
     "DEFAULT_FPS",
@@ -25,7 +25,7 @@ __all__ = [
     "workers",
 ]
 
-#: Endings of films; see `shapetween.image.writers.WRITERS`.
+#: Endings of films; see `shapetween.raster.encode.WRITERS`.
 PICTURES = (".webp", ".png", ".apng", ".gif", ".mp4")
 
 #: Frames drawn at the same time, at most: each needs memory of its own.
@@ -76,7 +76,7 @@ def moving_pictures(
     ShapetweenError
         If the film cannot be drawn as asked.
     """
-    from shapetween.image.writers import Clock, writer_for
+    from shapetween.raster.encode import Clock, writer_for
 
     write, fps = writer_for(out), fps or DEFAULT_FPS
     count = max(2, round(fps * timing["duration"]))
@@ -106,8 +106,8 @@ def still_pictures(
     ShapetweenError
         If the film cannot be drawn as asked.
     """
-    from shapetween.image.writers import Clock
-    from shapetween.image.writers.folder import write_folder
+    from shapetween.raster.encode import Clock
+    from shapetween.raster.encode.folder import write_folder
 
     film = _film(result, count, easing, size, background)
     frames = counted(film.frames(None, workers()), film.count, run)
@@ -123,8 +123,8 @@ def _film(
     background: str | None,
 ) -> "Film":
     from shapetween.api import Morph
-    from shapetween.frames import easing_function, even_times
-    from shapetween.image.film import Film, frame_size
+    from shapetween.raster.film import Film, frame_size
+    from shapetween.timing.easing import easing_function, even_times
 
     legs = (result,) if isinstance(result, Morph) else result.legs
     movements = [leg.prepared.movement for leg in legs]
@@ -162,8 +162,8 @@ def counted(frames: "Iterator[Bytes]", count: int, run: Progress) -> "Iterator[B
 def _colour(text: str | None) -> "Colour | None":
     if text is None:
         return None
-    from shapetween.paint import Colour
-    from shapetween.svg.colours import parse_paint
+    from shapetween.model.paint import Colour
+    from shapetween.svg.read.colours import parse_paint
 
     value: Any = parse_paint(text)
     if value is None or value.reference or not isinstance(value.colour, Colour):

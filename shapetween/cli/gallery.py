@@ -4,11 +4,11 @@ from pathlib import Path
 
 import click
 
+from shapetween.base.errors import OptionError
 from shapetween.cli.options import QUIET
 from shapetween.cli.told import wrote
 from shapetween.cli.values import PATH
-from shapetween.errors import OptionError
-from shapetween.progress import Progress
+from shapetween.io.progress import Progress
 
 __all__ = ["gallery"]
 
@@ -31,13 +31,13 @@ def gallery(out: Path, quiet: bool) -> None:
     """
     with Progress(quiet=quiet) as run:
         with run("import"):
-            from shapetween import files
             from shapetween.gallery import (
                 draw_rooms,
                 gallery_folder,
                 index_html,
                 write_pictures,
             )
+            from shapetween.io import files
 
             folder = gallery_folder()
         if out.exists() and not out.is_dir():

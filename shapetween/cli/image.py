@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from shapetween.base.errors import OptionError
 from shapetween.cli.film import DEFAULT_FPS, MOST_FRAMES, counted, workers
 from shapetween.cli.options import (
     QUIET,
@@ -20,12 +21,11 @@ from shapetween.cli.options import (
 )
 from shapetween.cli.told import warn, wrote
 from shapetween.cli.values import PATH, Real, Size, Whole
-from shapetween.errors import OptionError
-from shapetween.progress import Progress
+from shapetween.io.progress import Progress
 
 if TYPE_CHECKING:
-    from shapetween.image.picture import Picture
-    from shapetween.image.quads import PictureQuad
+    from shapetween.photo.quads import PictureQuad
+    from shapetween.raster.picture import Picture
 
 __all__ = ["draw_over", "image"]
 
@@ -124,8 +124,8 @@ def image(
     greater "depth" is in front, at equal depth the larger one. Quads that share corners in both
     pictures move as one mesh.
     """
-    from shapetween import files
-    from shapetween.frames import easing_function, even_times
+    from shapetween.io import files
+    from shapetween.timing.easing import easing_function, even_times
 
     for path in (a, b):
         if path.suffix.lower() in (".svg", ".svgz"):
@@ -150,9 +150,10 @@ def image(
 
     with Progress(quiet=quiet) as run:
         with run("import"):
-            from shapetween.image import load, sources
-            from shapetween.image.transition import SLIP_TOLERANCE, Transition
-            from shapetween.image.writers import Clock, writer_for
+            from shapetween.photo import sources
+            from shapetween.photo.transition import SLIP_TOLERANCE, Transition
+            from shapetween.raster import load
+            from shapetween.raster.encode import Clock, writer_for
 
             write = writer_for(out)
         megapixels = settings["max_megapixels"] or load.DEFAULT_MEGAPIXELS
@@ -207,9 +208,9 @@ def draw_over(
         A PNG.
     common : Common
     """
-    from shapetween import files
-    from shapetween.image import overlay, sources
-    from shapetween.image.load import read_picture
+    from shapetween.io import files
+    from shapetween.photo import overlay, sources
+    from shapetween.raster.load import read_picture
 
     out = out or Path(f"{a.stem}-over-{over[0].stem}.png")
     if out.suffix.lower() != ".png":
@@ -278,8 +279,8 @@ def _background(
     """A background's picture or light, or its name."""
     if value in ("keep", "dissolve"):
         return value
-    from shapetween.image.load import read_picture
-    from shapetween.image.sources import light_of_colour
+    from shapetween.photo.sources import light_of_colour
+    from shapetween.raster.load import read_picture
 
     light = light_of_colour(value)
     if light is not None:

@@ -6,8 +6,8 @@ from importlib import import_module
 
 import click
 
-from shapetween.errors import ShapetweenError
-from shapetween.threads import ONE_THREAD
+from shapetween.base.errors import ShapetweenError
+from shapetween.base.threads import ONE_THREAD
 
 __all__ = ["cli", "main"]
 
@@ -49,7 +49,7 @@ class Commands(click.Group):
 def _show_version(ctx: click.Context, param: click.Parameter, value: bool) -> None:
     del param
     if value and not ctx.resilient_parsing:
-        from shapetween.version import installed_version
+        from shapetween.base.version import installed_version
 
         click.echo(f"shapetween, version {installed_version()}")
         ctx.exit()

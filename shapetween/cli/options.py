@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 
+from shapetween.base.errors import MeshError, OptionError
 from shapetween.cli.told import warn, wrote
 from shapetween.cli.values import PATH, Match, Name, Pin, Real, Whole
-from shapetween.errors import MeshError, OptionError
-from shapetween.progress import Progress
+from shapetween.io.progress import Progress
 
 if TYPE_CHECKING:
     from shapetween.api import Morph
@@ -148,12 +148,12 @@ class Common:
 
     def settings(self, a: Path, b: Path, out: Path) -> dict[str, Any]:
         """Check the places to write to; what `shapetween.morph` takes besides the drawings."""
-        from shapetween import files
+        from shapetween.io import files
 
         self.check_places([a, b, *([self.mesh] if self.mesh else [])], out)
         meshes: list[tuple[str, Any]] = []
         if self.mesh is not None:
-            from shapetween.meshfile import load_meshes
+            from shapetween.mesh.file import load_meshes
 
             meshes = load_meshes(files.read_text(self.mesh), str(self.mesh))
         return {
@@ -165,7 +165,7 @@ class Common:
 
     def check_places(self, inputs: Sequence[Path], out: Path) -> None:
         """Check that neither the output nor the report would overwrite anything that is read."""
-        from shapetween import files
+        from shapetween.io import files
 
         files.check_outputs([out, *([self.report] if self.report else [])], inputs)
         if self.report is not None:
@@ -180,7 +180,7 @@ class Common:
         said: Sequence[str] = (),
     ) -> None:
         """Write the output, and the report if one is wanted, and say what there is to say."""
-        from shapetween import files
+        from shapetween.io import files
 
         with run("check"):
             report = result.report()

@@ -5,6 +5,7 @@ from typing import Any, Literal
 
 import click
 
+from shapetween.base.errors import OptionError
 from shapetween.cli.film import PICTURES, moving_pictures, still_pictures
 from shapetween.cli.options import (
     A,
@@ -17,8 +18,7 @@ from shapetween.cli.options import (
     out_option,
 )
 from shapetween.cli.values import PATH, Keyframes, Real, Size, Whole
-from shapetween.errors import OptionError
-from shapetween.progress import Progress
+from shapetween.io.progress import Progress
 
 __all__ = ["frames", "mesh", "morph"]
 
@@ -102,8 +102,8 @@ def morph(
     With more drawings it goes on from B to C and so forth, all in the frame of A. Name A again at
     the end to close the round; with --loop repeat it then never jumps.
     """
-    from shapetween import files
-    from shapetween.frames import easing_function
+    from shapetween.io import files
+    from shapetween.timing.easing import easing_function
 
     easing_function(settings["easing"])
     drawings = [a, b, *more]
@@ -166,7 +166,7 @@ def frames(
     With more drawings it goes on from B to C and so forth, all in the frame of A; each is one
     frame. The paths of a frame have the same commands as far as the next drawing.
     """
-    from shapetween.frames import easing_function
+    from shapetween.timing.easing import easing_function
 
     easing_function(easing)
     if png:
@@ -190,7 +190,7 @@ def frames(
             common.finish(result, folder, written, run, said)
             return
         with run("write"):
-            from shapetween.svg.sequence import frame_svg
+            from shapetween.svg.write.sequence import frame_svg
 
             texts = [frame_svg(frame, precision) for frame in result.frames(count, easing)]
         common.finish(result, folder, texts, run)
@@ -231,7 +231,7 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
         raise OptionError("--over: expected quads or a mesh in one JSON file, or two SVGs")
     if b is None:
         raise click.UsageError("Missing argument 'B'.")
-    from shapetween import files
+    from shapetween.io import files
 
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
     as_json = files.check_form(path, "a mesh", (".svg", ".json")) == ".json"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from shapetween.errors import OptionError
+from shapetween.base.errors import OptionError
 
 __all__ = ["warn", "wrote"]
 
@@ -26,7 +26,7 @@ def wrote(place: Path, what: str = "") -> None:
     OptionError
         If the message cannot be shown, as on a full disk.
     """
-    from shapetween.files import is_device
+    from shapetween.io.files import is_device
 
     if is_device(place):
         return

@@ -11,7 +11,7 @@ __all__ = ["MOST_KEYFRAMES", "PATH", "Keyframes", "Match", "Name", "Pin", "Real"
 
 PATH = click.Path(path_type=Path)
 
-#: `shapetween.svg.smil.MOST_KEYFRAMES`, without importing it.
+#: `shapetween.svg.write.smil.MOST_KEYFRAMES`, without importing it.
 MOST_KEYFRAMES = 1000
 
 

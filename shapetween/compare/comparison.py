@@ -9,12 +9,12 @@ from typing import Any
 
 from shapetween import report
 from shapetween.api import Morph, morph
+from shapetween.base.errors import ShapetweenError
+from shapetween.base.observe import Observer, unobserved
 from shapetween.compare.figures import COLUMNS, TIMES, Figures, measure
 from shapetween.compare.variants import Variant, bare_variants, first_variant
-from shapetween.drawing import Drawing
-from shapetween.errors import ShapetweenError
-from shapetween.observe import Observer, unobserved
-from shapetween.rings.body import joined_meshes
+from shapetween.model.drawing import Drawing
+from shapetween.outline.body import joined_meshes
 
 __all__ = ["Comparison", "compare"]
 
@@ -129,8 +129,8 @@ def compare(
 
 
 def _mesh_figures(variant: Variant) -> list[dict[str, Any]]:
-    """All of `shapetween.measures` on the mesh of each body, which the method moves alone."""
-    from shapetween.measures import measure as measure_mesh
+    """All measures (`shapetween.compare.measures`) on each body's mesh, moved alone."""
+    from shapetween.compare.measures import measure as measure_mesh
 
     return [
         measure_mesh(joined_meshes(body.nodes.rings), variant.method).figures.as_dict()

@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.arrays import Floats, Mask
+from shapetween.base.arrays import Floats, Mask
+from shapetween.compare.measures import conformal_distortion, straightness
 from shapetween.compare.skeleton import Skeleton
 from shapetween.compare.variants import Variant
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.polygon import polygon_area
-from shapetween.measures import conformal_distortion, straightness
-from shapetween.rings.body import Carried
+from shapetween.outline.body import Carried
 
 __all__ = ["COLUMNS", "TIMES", "Column", "Figures", "measure"]
 

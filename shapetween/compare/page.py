@@ -14,7 +14,7 @@ from shapetween.compare.figures import COLUMNS, TIMES, Column, Figures
 from shapetween.compare.panels import film_strip, playing, seen_box
 from shapetween.compare.plots import Series, line_plot, stripes
 from shapetween.compare.variants import Variant
-from shapetween.drawing import Box
+from shapetween.model.drawing import Box
 
 __all__ = ["page_html"]
 

@@ -6,16 +6,16 @@ from textwrap import wrap
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Points
 from shapetween.compare.figures import TIMES
 from shapetween.compare.variants import Variant
-from shapetween.drawing import Box
-from shapetween.frames import KEYFRAME_TOLERANCE, Schedule
-from shapetween.svg.animate import Clock, animate
-from shapetween.svg.elements import GradientDefs, add_shape, document, text_of
-from shapetween.svg.numbers import decimals_for, number
-from shapetween.svg.smil import add_part
-from shapetween.svg.timeline import Timeline
+from shapetween.model.drawing import Box
+from shapetween.svg.write.animate import Clock, animate
+from shapetween.svg.write.elements import GradientDefs, add_shape, document, text_of
+from shapetween.svg.write.numbers import decimals_for, number
+from shapetween.svg.write.smil import add_part
+from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule
+from shapetween.timing.timeline import Timeline
 
 __all__ = ["film_strip", "playing", "seen_box", "side_by_side"]
 

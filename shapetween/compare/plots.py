@@ -9,7 +9,7 @@ from html import escape
 
 import numpy as np
 
-from shapetween.arrays import Floats, Mask
+from shapetween.base.arrays import Floats, Mask
 from shapetween.compare.figures import TIMES
 
 __all__ = ["Series", "line_plot", "stripes"]

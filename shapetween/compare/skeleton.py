@@ -5,13 +5,13 @@ from functools import cached_property
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.base.arrays import Floats, Index, Points
+from shapetween.deform.mesh import PlaneMesh
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import polygon_area
 from shapetween.interpolate import INTERIORS, tween
 from shapetween.interpolate.inside import Inside
-from shapetween.plane.mesh import PlaneMesh
-from shapetween.rings.body import Carried, VertexPath, joined_meshes
+from shapetween.outline.body import Carried, VertexPath, joined_meshes
 
 __all__ = ["Skeleton"]
 

@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from shapetween.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Points
+from shapetween.base.errors import OptionError, ShapetweenError
 from shapetween.compare.skeleton import Skeleton
-from shapetween.errors import OptionError, ShapetweenError
+from shapetween.elastic.parts import FilledPart
 from shapetween.interpolate import METHODS
-from shapetween.movement import Movement, Part
+from shapetween.model.movement import Movement, Part
+from shapetween.outline.body import Carried, RingMatch, VertexPath
+from shapetween.outline.unfold import bare
 from shapetween.pipeline import Folds, Prepared
-from shapetween.rings.body import Carried, RingMatch, VertexPath
-from shapetween.rings.unfold import bare
-from shapetween.shapes.parts import FilledPart
 
 __all__ = ["ABOUT", "Variant", "bare_variants", "first_variant"]
 

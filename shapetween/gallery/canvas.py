@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points, Quads
-from shapetween.drawing import Box
-from shapetween.frames import Schedule
+from shapetween.base.arrays import Floats, Points, Quads
 from shapetween.geometry.homography import apply_homography, quad_homographies
-from shapetween.svg.animate import Clock, animate
-from shapetween.svg.elements import document, text_of
-from shapetween.svg.numbers import number
-from shapetween.svg.timeline import Timeline
+from shapetween.model.drawing import Box
+from shapetween.svg.write.animate import Clock, animate
+from shapetween.svg.write.elements import document, text_of
+from shapetween.svg.write.numbers import number
+from shapetween.timing.easing import Schedule
+from shapetween.timing.timeline import Timeline
 
 __all__ = ["FAINT", "INK", "Canvas", "Panel", "checkerboard"]
 

@@ -12,9 +12,9 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
-from shapetween import files
-from shapetween.errors import OptionError
-from shapetween.observe import Observer, unobserved
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.io import files
 
 __all__ = ["Exhibit", "Picture", "Room", "draw_rooms", "gallery_folder", "write_pictures"]
 

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Points
 from shapetween.gallery.canvas import FAINT, Canvas, Panel, checkerboard
 from shapetween.interpolate import INTERIORS, Tween, tween
 from shapetween.interpolate.inside import Inside
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["STILLS", "method_strips"]
 

@@ -7,7 +7,7 @@ A stack of curves has shape (N, 4, 2): start, two handles, end.
 
 import numpy as np
 
-from shapetween.arrays import Curves, Floats, Index, Points
+from shapetween.base.arrays import Curves, Floats, Index, Points
 
 __all__ = [
     "curve_lengths",

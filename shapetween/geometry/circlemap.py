@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, frozen
-from shapetween.errors import ShapeError
+from shapetween.base.arrays import Floats, frozen
+from shapetween.base.errors import ShapeError
 
 __all__ = ["CircleMap", "turn", "wrapped"]
 

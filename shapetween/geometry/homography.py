@@ -9,7 +9,7 @@ Matrices act on column vectors (x, y, 1); a stack of them has shape (Q, 3, 3).
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points, Quads
+from shapetween.base.arrays import Floats, Points, Quads
 from shapetween.geometry.polygon import cross
 
 __all__ = [

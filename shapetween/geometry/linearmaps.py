@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.arrays import Complex, Floats, Points
+from shapetween.base.arrays import Complex, Floats, Points
 
 __all__ = ["LinearMaps", "as_complex", "as_points", "squared"]
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points, Quads
+from shapetween.base.arrays import Floats, Points, Quads
 
 __all__ = ["corner_sines", "cross", "diagonal_crossings", "polygon_area", "rms_radius"]
 

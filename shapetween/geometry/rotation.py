@@ -7,7 +7,7 @@
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index
+from shapetween.base.arrays import Floats, Index
 
 __all__ = ["coherent_angles", "linear_between", "polar", "rotations"]
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from shapetween.arrays import Floats
+from shapetween.base.arrays import Floats
 
 __all__ = ["spline_weights"]
 

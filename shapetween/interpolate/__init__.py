@@ -3,13 +3,13 @@
 import difflib
 from collections.abc import Callable
 
-from shapetween.errors import OptionError
+from shapetween.base.errors import OptionError
 from shapetween.interpolate.arap import AlexaArap, Arap
 from shapetween.interpolate.base import Tween
 from shapetween.interpolate.inside import Interior
 from shapetween.interpolate.linear import Linear
 from shapetween.interpolate.projective import PaperProjective, Projective
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["INTERIORS", "METHODS", "Tween", "check_method", "tween"]
 

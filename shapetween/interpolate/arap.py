@@ -16,15 +16,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Floats, Index, Points, times
+from shapetween.base.arrays import Floats, Index, Points, times
+from shapetween.deform.jacobians import gradients
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
 from shapetween.interpolate.faces import both_areas, shared_edges, split_quads
 from shapetween.interpolate.refine import refined
-from shapetween.mesh import MeshPair
-from shapetween.plane.jacobians import gradients
+from shapetween.mesh.pair import MeshPair
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

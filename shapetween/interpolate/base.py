@@ -4,7 +4,7 @@ from typing import Protocol
 
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 
 __all__ = ["Tween"]
 

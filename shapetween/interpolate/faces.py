@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index
-from shapetween.errors import DegenerateQuadError, MeshError
+from shapetween.base.arrays import Floats, Index
+from shapetween.base.errors import DegenerateQuadError, MeshError
 from shapetween.geometry.polygon import corner_sines, polygon_area
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = [
     "both_areas",

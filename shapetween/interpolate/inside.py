@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.homography import (
     apply_homography,
     homogeneous_weights,
@@ -19,7 +19,7 @@ from shapetween.geometry.homography import (
 )
 from shapetween.geometry.polygon import cross, polygon_area
 from shapetween.interpolate.faces import split_quads
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["Inside", "Interior", "quad_places"]
 

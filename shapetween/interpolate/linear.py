@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Points, times
-from shapetween.mesh import MeshPair
+from shapetween.base.arrays import Points, times
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["Linear"]
 

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.align import Alignment
-from shapetween.arrays import Floats, Index, Points, times
+from shapetween.base.arrays import Floats, Index, Points, times
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar
+from shapetween.interpolate.align import Alignment
 from shapetween.interpolate.faces import (
     both_areas,
     check_triangles,
@@ -23,7 +23,7 @@ from shapetween.interpolate.faces import (
 )
 from shapetween.interpolate.quads import QuadMotion, check_quads
 from shapetween.interpolate.rigid import RigidFaces
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["AlignedFaces", "PaperProjective", "Projective"]
 

@@ -10,8 +10,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.arrays import Floats, Points, Quads, frozen, times
-from shapetween.errors import DegenerateQuadError, OptionError, ShapeError
+from shapetween.base.arrays import Floats, Points, Quads, frozen, times
+from shapetween.base.errors import DegenerateQuadError, OptionError, ShapeError
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import corner_sines, rms_radius
 from shapetween.geometry.rotation import linear_between, polar

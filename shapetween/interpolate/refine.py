@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from shapetween.arrays import Index
+from shapetween.base.arrays import Index
 from shapetween.geometry.polygon import corner_sines
 from shapetween.interpolate.faces import mesh_edges, split_quads
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["refined"]
 

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import cross, diagonal_crossings
 from shapetween.geometry.rotation import coherent_angles, polar, rotations
 from shapetween.interpolate.faces import shared_edges
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["RigidFaces"]
 

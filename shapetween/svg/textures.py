@@ -1,7 +1,7 @@
 """Patterns and pictures of a document as textures, and textures as documents of their own.
 
 A texture is drawn far over the edge of the shape that it fills, so that its edge never shows where
-the shape moves. Whoever draws it may draw what strangers wrote: see `shapetween.image.resvg`.
+the shape moves. Whoever draws it may draw what strangers wrote: see `shapetween.raster.resvg`.
 
 .. [SVG2] *Scalable Vector Graphics 2*, sections 12.3 and 14.3.
 """
@@ -12,16 +12,16 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from shapetween.arrays import Affine
-from shapetween.drawing import Box
-from shapetween.gradients import IDENTITY
-from shapetween.paint import Paint, Texture
-from shapetween.svg.document import Document, href
-from shapetween.svg.elements import GradientDefs, paint_attributes
-from shapetween.svg.numbers import number
-from shapetween.svg.transform import compose
-from shapetween.svg.walk import Frame, Placed
-from shapetween.svg.xml import SVG, XLINK, local_name
+from shapetween.base.arrays import Affine
+from shapetween.model.drawing import Box
+from shapetween.model.gradients import IDENTITY
+from shapetween.model.paint import Paint, Texture
+from shapetween.svg.read.document import Document, href
+from shapetween.svg.read.transform import compose
+from shapetween.svg.read.walk import Frame, Placed
+from shapetween.svg.read.xml import SVG, XLINK, local_name
+from shapetween.svg.write.elements import GradientDefs, paint_attributes
+from shapetween.svg.write.numbers import number
 
 __all__ = ["pattern_texture", "picture_texture", "plain_texture", "texture_svg"]
 

@@ -4,8 +4,8 @@ import sys
 
 import click
 
-from shapetween.errors import ShapetweenError
-from shapetween.progress import Progress
+from shapetween.base.errors import ShapetweenError
+from shapetween.io.progress import Progress
 from shapetween.truth.table import format_table, table
 
 HEAD = """\

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.polygon import corner_sines
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from shapetween.truth.case import TIMES, Case, texture_places
 
 __all__ = ["SCENES"]

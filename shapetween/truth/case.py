@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
-from shapetween.mesh import MeshPair
+from shapetween.base.arrays import Floats, Points
+from shapetween.mesh.pair import MeshPair
 
 __all__ = ["GRID", "TIMES", "Case", "texture_places"]
 

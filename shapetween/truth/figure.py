@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from shapetween.arrays import Floats, Index, Points
+from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.polygon import corner_sines
 from shapetween.geometry.rotation import rotations
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from shapetween.truth.case import TIMES, Case
 
 __all__ = ["SCENES"]

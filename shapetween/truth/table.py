@@ -6,14 +6,14 @@ from itertools import islice
 
 import numpy as np
 
-from shapetween.arrays import Floats, Points
-from shapetween.errors import OptionError, ShapeError
+from shapetween.base.arrays import Floats, Points
+from shapetween.base.errors import OptionError, ShapeError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.compare.measures.epipolar import epipolar_distance
 from shapetween.geometry.polygon import cross, rms_radius
 from shapetween.geometry.rotation import rotations
 from shapetween.interpolate import INTERIORS, METHODS, tween
 from shapetween.interpolate.inside import Inside
-from shapetween.measures.epipolar import epipolar_distance
-from shapetween.observe import Observer, unobserved
 from shapetween.truth import camera, figure
 from shapetween.truth.case import TIMES, Case
 

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from shapetween.base.errors import InputError, OptionError
 from shapetween.batch import Job, all_pairs_in, pairs_in, read_table
 from shapetween.batch.jobs import check_jobs
-from shapetween.errors import InputError, OptionError
 
 HOME = Path("home")
 COLUMNS = {"quads": ("quads", int), "loop": ("loop", str)}

@@ -170,7 +170,7 @@ def test_a_bug_costs_one_pair(
         raise ZeroDivisionError(name)
 
     with monkeypatch.context() as patch:
-        patch.setattr("shapetween.svg.read.read_svg", broken)
+        patch.setattr("shapetween.svg.read.reader.read_svg", broken)
         (outcome,) = run_batch(jobs[:1], tmp_path, executor=Here())
     assert outcome.error.startswith("internal error: ZeroDivisionError")
     assert "Traceback" in outcome.entry["traceback"]

@@ -11,7 +11,7 @@ from statistics import median
 
 import numpy as np
 
-from shapetween.arrays import Floats
+from shapetween.base.arrays import Floats
 from tests.benchmarks.measuring import (
     PAIRS,
     SIZES,

@@ -16,14 +16,14 @@ from statistics import median
 
 import numpy as np
 
-from shapetween.arrays import Floats
-from shapetween.drawing import Drawing
+from shapetween.base.arrays import Floats
 from shapetween.geometry.bezier import signed_area
 from shapetween.interpolate.projective import Projective
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
+from shapetween.model.drawing import Drawing
 from shapetween.pipeline import prepare
-from shapetween.svg.numbers import path_data
-from shapetween.svg.read import read_svg
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.numbers import path_data
 from tests.strategies import grid
 
 __all__ = [

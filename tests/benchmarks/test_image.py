@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from shapetween.geometry.homography import quad_homographies
-from shapetween.image.layers import Piece
-from shapetween.image.light import Bytes
-from shapetween.image.picture import Picture
-from shapetween.image.transition import Transition
-from shapetween.mesh import MeshPair
-from tests.image.scenes import shown
+from shapetween.mesh.pair import MeshPair
+from shapetween.photo.layers import Piece
+from shapetween.photo.transition import Transition
+from shapetween.raster.light import Bytes
+from shapetween.raster.picture import Picture
+from tests.photo.scenes import shown
 
 WIDTH, HEIGHT, FRAMES = 1920, 1080, 60
 

@@ -3,8 +3,8 @@
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
-from shapetween.meshing import mesh_matched
-from tests.meshing.pairs import comb, matched, regular, spiral, star
+from shapetween.mesh import mesh_matched
+from tests.mesh.pairs import comb, matched, regular, spiral, star
 
 PAIRS = {
     "square-disc": (regular(4), regular(90)),

@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
-from shapetween.drawing import Drawing
 from shapetween.interpolate.projective import Projective
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
+from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Prepared, prepare
-from shapetween.svg.read import read_svg
-from shapetween.svg.smil import smil_svg
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.smil import smil_svg
 from tests.strategies import grid
 
 INPUTS = Path(__file__).resolve().parents[2] / "gallery/inputs"

@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from shapetween.plane.ladder import settle
-from shapetween.plane.mesh import plane_mesh
-from shapetween.plane.motion import PlaneMotion
-from tests.plane.shapes import comb
+from shapetween.deform.ladder import settle
+from shapetween.deform.mesh import plane_mesh
+from shapetween.deform.motion import PlaneMotion
+from tests.deform.shapes import comb
 
 
 @pytest.mark.parametrize("teeth", [4, 12, 40])

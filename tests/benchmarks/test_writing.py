@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from pytest_benchmark.fixture import BenchmarkFixture
 
-from shapetween.arrays import Curves
-from shapetween.drawing import Box
-from shapetween.frames import KEYFRAME_TOLERANCE, Schedule, keyframes
-from shapetween.movement import Movement
-from shapetween.paint import Colour, Style
-from shapetween.svg.numbers import path_data
-from shapetween.svg.sequence import frame_svg
-from shapetween.svg.smil import smil_svg
+from shapetween.base.arrays import Curves
+from shapetween.model.drawing import Box
+from shapetween.model.movement import Movement
+from shapetween.model.paint import Colour, Style
+from shapetween.svg.write.numbers import path_data
+from shapetween.svg.write.sequence import frame_svg
+from shapetween.svg.write.smil import smil_svg
+from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule, keyframes
 from tests.movements import FormulaPart, spin
 
 BOX = Box(0, 0, 100, 100)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from shapetween.errors import OptionError
+from shapetween.base.errors import OptionError
 from tests.cli.commands import SQUARE, Command, svg
 
 BOMB = (
@@ -197,5 +197,5 @@ def test_what_fails_late_writes_nothing(run: Command, monkeypatch: pytest.Monkey
     def failing(*_: object, **__: object) -> str:
         raise OptionError("cannot go on")
 
-    monkeypatch.setattr("shapetween.svg.smil.smil_svg", failing)
+    monkeypatch.setattr("shapetween.svg.write.smil.smil_svg", failing)
     assert_refused(run, "morph a.svg b.svg --report report.json", "cannot go on")

@@ -115,7 +115,7 @@ def test_compressed_drawings_are_read(run: Command, tmp_path: Path) -> None:
 
 def test_what_is_repeated_here_without_importing_it_is_the_same() -> None:
     from shapetween.interpolate import METHODS
-    from shapetween.svg import smil
+    from shapetween.svg.write import smil
 
     assert set(options.METHOD_NAMES) == set(METHODS)
     assert values.MOST_KEYFRAMES == smil.MOST_KEYFRAMES

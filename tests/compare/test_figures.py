@@ -5,13 +5,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from shapetween.arrays import Curves, Floats, Mask, Points
+from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.compare import Comparison, compare
 from shapetween.compare.figures import TIMES
-from shapetween.drawing import Box, Drawing, Shape
 from shapetween.geometry.bezier import line_curves
-from shapetween.outline import Outline
-from shapetween.paint import Colour, Style
+from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Style
 
 LETTER = np.array(
     [[0, 0], [6, 0], [6, 2], [2, 2], [2, 3], [5, 3], [5, 5], [2, 5], [2, 9], [0, 9]], np.float64

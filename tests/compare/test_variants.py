@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from shapetween.api import morph
+from shapetween.base.errors import MeshError, OptionError
 from shapetween.compare import Comparison, compare
 from shapetween.compare.variants import bare_variants
-from shapetween.errors import MeshError, OptionError
 from shapetween.geometry.bezier import signed_area
 from shapetween.interpolate import METHODS, Tween
-from shapetween.mesh import MeshPair
-from shapetween.svg.read import read_svg
+from shapetween.mesh.pair import MeshPair
+from shapetween.svg.read.reader import read_svg
 
 INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
 

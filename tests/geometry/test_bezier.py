@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from shapetween.arrays import Curves, Points
+from shapetween.base.arrays import Curves, Points
 from shapetween.geometry.bezier import (
     curve_lengths,
     end_tangents,

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.arrays import Floats
-from shapetween.errors import ShapeError
+from shapetween.base.arrays import Floats
+from shapetween.base.errors import ShapeError
 from shapetween.geometry.circlemap import CircleMap, turn, wrapped
 
 #: Numbers well apart, so that no map is steeper than a few thousand.

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from shapetween.arrays import Floats, Quads
+from shapetween.base.arrays import Floats, Quads
 from shapetween.geometry.homography import (
     apply_homography,
     homogeneous_weights,

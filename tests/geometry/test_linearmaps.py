@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.arrays import Floats
+from shapetween.base.arrays import Floats
 from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points
 from shapetween.geometry.rotation import linear_between, polar
 from tests.strategies import affine_maps

@@ -5,7 +5,7 @@ import pytest
 import shapely
 from hypothesis import given
 
-from shapetween.arrays import Quads
+from shapetween.base.arrays import Quads
 from shapetween.geometry.polygon import (
     corner_sines,
     cross,
@@ -13,7 +13,7 @@ from shapetween.geometry.polygon import (
     polygon_area,
     rms_radius,
 )
-from tests.meshing.pairs import untangled
+from tests.mesh.pairs import untangled
 from tests.strategies import convex_quads
 
 SQUARE = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.arrays import Floats
+from shapetween.base.arrays import Floats
 from shapetween.geometry.rotation import coherent_angles, linear_between, polar, rotations
 from tests.strategies import affine_maps, rotation
 

@@ -5,14 +5,14 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from shapetween.arrays import Floats, Index, Points
-from shapetween.errors import DegenerateQuadError
+from shapetween.base.arrays import Floats, Index, Points
+from shapetween.base.errors import DegenerateQuadError
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.interpolate.arap import AlexaArap, Arap
 from shapetween.interpolate.faces import mesh_edges, shared_edges, split_quads
 from shapetween.interpolate.refine import refined
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import grid, rotation
 
 Method = type[Arap] | type[AlexaArap]

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from shapetween.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Points
+from shapetween.base.errors import MeshError, OptionError, ShapeError
 from shapetween.cli.options import METHOD_NAMES
-from shapetween.errors import MeshError, OptionError, ShapeError
 from shapetween.interpolate import INTERIORS, METHODS, tween
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import affine_maps, grid, rotation
 
 T = np.array([0.0, 0.2, 0.5, 0.9, 1.0])

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from shapetween.arrays import Points
+from shapetween.base.arrays import Points
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import diagonal_crossings, polygon_area
 from shapetween.interpolate.inside import Inside, Interior, quad_places
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import convex_quads, grid, rotation
 
 ONE = np.arange(4)[None]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from shapetween.interpolate.linear import Linear
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import grid
 
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from shapetween.arrays import Points
-from shapetween.errors import DegenerateQuadError
+from shapetween.base.arrays import Points
+from shapetween.base.errors import DegenerateQuadError
 from shapetween.geometry.polygon import corner_sines, rms_radius
 from shapetween.interpolate.projective import PaperProjective, Projective
 from shapetween.interpolate.quads import interpolate_quads
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from tests.strategies import grid, rotation
 
 T = np.array([0.0, 0.2, 0.5, 0.9, 1.0])

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.arrays import Floats, Points
-from shapetween.errors import DegenerateQuadError, OptionError, ShapeError
+from shapetween.base.arrays import Floats, Points
+from shapetween.base.errors import DegenerateQuadError, OptionError, ShapeError
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import corner_sines, rms_radius
 from shapetween.interpolate.quads import QuadMotion, interpolate_quads

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from shapetween.drawing import Box
-from shapetween.svg.read import read_svg
+from shapetween.model.drawing import Box
+from shapetween.svg.read.reader import read_svg
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" {}><path d="M0 0H96V96H0Z"/></svg>'
 

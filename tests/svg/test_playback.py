@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from shapetween.drawing import Box
-from shapetween.movement import Movement
-from shapetween.paint import Colour, Gradient, Paint, Stop, Stroke, Style
-from shapetween.svg.sequence import frame_svg
-from shapetween.svg.smil import smil_svg
-from shapetween.svg.timeline import Loop
+from shapetween.model.drawing import Box
+from shapetween.model.movement import Movement
+from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
+from shapetween.svg.write.sequence import frame_svg
+from shapetween.svg.write.smil import smil_svg
+from shapetween.timing.timeline import Loop
 from tests.browser import Browser, chromium, difference
 from tests.movements import FormulaPart, circle, sample_chain, sample_movement, spin
 

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shapetween.drawing import Drawing
+from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, prepare
-from shapetween.svg.read import read_svg
-from shapetween.svg.sequence import frame_svg
-from shapetween.svg.smil import smil_svg
+from shapetween.svg.read.reader import read_svg
+from shapetween.svg.write.sequence import frame_svg
+from shapetween.svg.write.smil import smil_svg
 from tests.browser import Browser, chromium, difference
 
 pytestmark = pytest.mark.browser

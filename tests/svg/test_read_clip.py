@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from shapetween.drawing import Drawing
-from shapetween.errors import InputError
-from shapetween.svg.read import read_svg
+from shapetween.base.errors import InputError
+from shapetween.model.drawing import Drawing
+from shapetween.svg.read.reader import read_svg
 
 HALF = '<clipPath id="c"><rect width="50" height="100"/></clipPath>'
 

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shapetween.arrays import Floats
-from shapetween.drawing import Drawing, Shape
-from shapetween.errors import ShapetweenError
-from shapetween.outline import Outline
-from shapetween.paint import Colour, Paint
-from shapetween.svg.read import read_svg
+from shapetween.base.arrays import Floats
+from shapetween.base.errors import ShapetweenError
+from shapetween.model.drawing import Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Paint
+from shapetween.svg.read.reader import read_svg
 
 PIXELS = 160
 

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shapetween.drawing import Drawing
-from shapetween.errors import ShapetweenError
-from shapetween.svg.limits import Limits
-from shapetween.svg.read import read_svg
+from shapetween.base.errors import ShapetweenError
+from shapetween.model.drawing import Drawing
+from shapetween.svg.read.limits import Limits
+from shapetween.svg.read.reader import read_svg
 
 SEEDS = sorted((Path(__file__).parent / "data").glob("fuzz-*.svg"))
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from shapetween.paint import Texture
-from shapetween.svg.read import read_svg
+from shapetween.model.paint import Texture
+from shapetween.svg.read.reader import read_svg
 
 SQUARE = '<path id="s" fill="url(#p)" d="M0 0H9V9H0Z"/>'
 

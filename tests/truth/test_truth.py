@@ -7,11 +7,11 @@ from itertools import islice
 import numpy as np
 import pytest
 
-from shapetween.errors import MeshError, OptionError
+from shapetween.base.errors import MeshError, OptionError
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.geometry.polygon import corner_sines
 from shapetween.interpolate import METHODS, tween
-from shapetween.mesh import MeshPair
+from shapetween.mesh.pair import MeshPair
 from shapetween.truth import TIMES, Case, Row, camera, figure, format_table, scenes, table
 
 SCENES = {**camera.SCENES, **figure.SCENES}

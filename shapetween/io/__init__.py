@@ -1,0 +1,1 @@
+"""Files, strict JSON, linked pictures and progress: what touches the machine."""

@@ -1,0 +1,104 @@
+"""Where the stations are set that a matching is made of."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Floats, Index
+from shapetween.match.costs import Prepared
+
+__all__ = ["Layout", "layout_of", "mirrored_layout"]
+
+#: How many of the second outline's stations are skipped between those the first one's first may be
+#: matched with.
+EVERY = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """Stations on both outlines; pinned ones are fixed to one another.
+
+    Attributes
+    ----------
+    a, b : (n,) float64
+        Places, fractions of the lengths from the canonical starts, increasing.
+    a_vertices, b_vertices : (K,) intp
+        The stations of the salient vertices.
+    fixed : (k,) intp
+        Pinned stations, the same on both.
+    starts : (S,) intp
+        Stations of the second that the first one's station 0 may be matched with.
+    """
+
+    a: Floats
+    b: Floats
+    a_vertices: Index
+    b_vertices: Index
+    fixed: Index
+    starts: Index
+
+    @property
+    def image(self) -> Index:
+        """The station that is each one's mirror image, (n,), where the layout is mirrored."""
+        return -np.arange(len(self.a)) % len(self.a)
+
+
+def layout_of(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
+    """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
+    fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), count)
+    starts = np.arange(0, 1 if len(pins) else count, EVERY)
+    places_a, stations_a = _onto_vertices(a, at_a, fixed)
+    places_b, stations_b = _onto_vertices(b, at_b, fixed)
+    return Layout(places_a, places_b, stations_a, stations_b, fixed, starts)
+
+
+def mirrored_layout(a: Prepared, b: Prepared, axis: Floats, count: int) -> Layout:
+    """Stations of symmetric outlines, those past the axis the mirror images of those before it.
+
+    Parameters
+    ----------
+    a, b : Prepared
+    axis : (2, 2) float64
+        The axis' ends, rows a, b; stations 0 and `count` / 2.
+    count : int
+        Stations, an even number.
+    """
+    fixed = np.array([0, count // 2])
+    ends, vertices = [], []
+    for prepared, places in zip((a, b), axis.T, strict=True):
+        at = prepared.measures(places[0] + np.array([0.0, 0.5, 1.0]))
+        at = np.interp(np.arange(count), [0, count // 2, count], at)
+        half, nearest = _onto_vertices(prepared, at, fixed)
+        half = half[: count // 2 + 1]
+        ends.append(np.concatenate([half, 2 * half[-1] - half[-2:0:-1]]))
+        vertices.append(nearest)
+    return Layout(ends[0], ends[1], vertices[0], vertices[1], fixed, np.zeros(1, dtype=np.intp))
+
+
+def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:
+    """Stations at even steps between pins, as many on both: pinned ones, measures of all."""
+    if len(a) == 0:
+        even = np.arange(count) / count
+        return np.zeros(0, dtype=np.intp), even, even
+    ends_a, ends_b = np.append(a, a[0] + 1), np.append(b, b[0] + 1)
+    ends_b[1:] += np.cumsum(np.diff(ends_b) < 0)
+    ends_b[-1] = ends_b[0] + 1
+    share = (np.diff(ends_a) + np.diff(ends_b)) / 2
+    steps = np.maximum(np.round(share * count).astype(np.intp), 2)
+    knots = np.concatenate([[0], np.cumsum(steps)])
+    at = np.arange(knots[-1])
+    return knots[:-1], np.interp(at, knots, ends_a), np.interp(at, knots, ends_b)
+
+
+def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats, Index]:
+    """Places of stations, those nearest the salient vertices moved there, and which these are."""
+    places = prepared.places(at)
+    vertex = prepared.vertices.index / len(prepared.samples.points)
+    measure = prepared.measures(vertex)
+    gap = measure[:, None] - at
+    gap = gap - np.round(gap)
+    nearest = np.abs(gap).argmin(axis=1)
+    free = ~np.isin(nearest, fixed)
+    moved = prepared.places(at[nearest] + gap[np.arange(len(vertex)), nearest])
+    places[nearest[free]] = moved[free]
+    return places, nearest

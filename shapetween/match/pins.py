@@ -1,0 +1,78 @@
+"""Places the user says must meet, found on the outlines and checked."""
+
+import numpy as np
+
+from shapetween.base.arrays import Floats, Points, frozen
+from shapetween.base.errors import OptionError
+from shapetween.model.arclength import ArcLength
+from shapetween.model.outline import Outline
+
+__all__ = ["pinned_places"]
+
+#: Farthest a pin may lie from its outline, as a share of the outline's diagonal: a click beside
+#: the line is meant, one elsewhere is a mistake.
+REACH = 0.05
+
+#: Pins nearer than this along an outline, as a share of its length, are on one spot.
+SAME_PLACE = 1e-6
+
+
+def pinned_places(source: Outline, target: Outline, pins: Points | None) -> Floats:
+    """Pins as fractions along both outlines.
+
+    Parameters
+    ----------
+    source, target : Outline
+    pins : (K, 4) float64 or None
+        Rows ax, ay, bx, by: a point of the source and one of the target, each in the outline's
+        own unit.
+
+    Returns
+    -------
+    (K, 2) float64
+        Fractions of the two lengths of the outlines' nearest points.
+
+    Raises
+    ------
+    OptionError
+        If a pin is off its outline, or does not follow the others in order round both.
+    """
+    if pins is None or len(pins) == 0:
+        return np.zeros((0, 2))
+    rows = frozen(pins, np.float64, ndim=2)
+    if rows.shape[1] != 4:
+        raise OptionError(f"a pin has four numbers, AX,AY:BX,BY, not {rows.shape[1]}")
+    places = []
+    for name, outline, points in (("source", source, rows[:, :2]), ("target", target, rows[:, 2:])):
+        place, distance = ArcLength(outline).nearest(points)
+        reach = REACH * float(np.linalg.norm(np.ptp(outline.box, axis=0)))
+        off = np.flatnonzero(distance > reach)
+        if off.size:
+            k = int(off[0])
+            raise OptionError(
+                f"pin {_named(rows[k])} is {distance[k]:.4g} off the {name} outline;"
+                f" at most {reach:.4g} is taken as on it"
+            )
+        places.append(place % 1.0)
+    found = np.stack(places, axis=1)
+    for k in range(1, len(found)):
+        if not _in_order(found[: k + 1]):
+            raise OptionError(
+                f"pin {_named(rows[k])} is out of order: round both outlines the pins must"
+                " follow one another alike, no two on one spot"
+            )
+    return found
+
+
+def _in_order(places: Floats) -> bool:
+    """Whether the places go round both outlines in the same order, each its own."""
+    order = np.argsort(places[:, 0])
+    gaps = np.diff(places[order], axis=0, append=places[order[:1]])
+    gaps = gaps - np.floor(gaps)
+    apart = (gaps > SAME_PLACE) & (gaps < 1 - SAME_PLACE)
+    return bool(apart.all() and np.allclose(gaps.sum(axis=0), 1.0))
+
+
+def _named(pin: Floats) -> str:
+    ax, ay, bx, by = pin
+    return f"{ax:g},{ay:g}:{bx:g},{by:g}"

@@ -1,5 +1,0 @@
-"""Two matched outlines -> one mesh of quads over both."""
-
-from shapetween.meshing.matched import MatchedMesh, mesh_matched
-
-__all__ = ["MatchedMesh", "mesh_matched"]

@@ -1,0 +1,1 @@
+"""The values that travel: drawings, outlines, paint, and movements between them."""

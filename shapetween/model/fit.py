@@ -1,0 +1,60 @@
+"""Bringing the second drawing into the first one's frame.
+
+.. [SVG2] *Scalable Vector Graphics 2*, section 8.6, preserveAspectRatio.
+"""
+
+from typing import Literal, TypeAlias, get_args
+
+import numpy as np
+
+from shapetween.base.arrays import Affine, Points
+from shapetween.base.errors import OptionError
+from shapetween.model.drawing import Drawing
+
+__all__ = ["Fit", "fit_matrix", "inverted", "mapped"]
+
+Fit: TypeAlias = Literal["view", "geometry", "none"]
+"""What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
+
+
+def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
+    """Map from the target's user units to the source's.
+
+    Returns
+    -------
+    (2, 3) float64
+        Scaled evenly, and centred, as ``xMidYMid meet`` asks ([SVG2]_).
+
+    Raises
+    ------
+    OptionError
+        If there is no such fit.
+    """
+    if fit not in get_args(Fit):
+        raise OptionError(f"fit: {fit!r} is none of {', '.join(get_args(Fit))}")
+    if fit == "none":
+        return np.eye(2, 3)
+    if fit == "geometry":
+        inner, outer = target.drawn, source.drawn
+    else:
+        inner, outer = target.box, source.box
+    ratios = [
+        wide / narrow
+        for wide, narrow in ((outer.width, inner.width), (outer.height, inner.height))
+        if narrow > 0
+    ]
+    scale = min(ratios, default=1.0)
+    x = outer.x + outer.width / 2 - scale * (inner.x + inner.width / 2)
+    y = outer.y + outer.height / 2 - scale * (inner.y + inner.height / 2)
+    return np.array([[scale, 0.0, x], [0.0, scale, y]])
+
+
+def mapped(points: Points, matrix: Affine) -> Points:
+    """Points (..., 2) under an affine map (2, 3)."""
+    return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
+
+
+def inverted(matrix: Affine) -> Affine:
+    """The affine map back."""
+    linear = np.linalg.inv(matrix[:, :2])
+    return np.column_stack([linear, -linear @ matrix[:, 2]])

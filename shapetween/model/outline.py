@@ -1,0 +1,70 @@
+"""One outline: a run of cubic Bezier curves."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Affine, Curves, Points, frozen
+from shapetween.base.errors import ShapeError
+from shapetween.geometry import bezier
+
+__all__ = ["Outline"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """Cubic Bezier curves, each starting where the one before it ended.
+
+    Attributes
+    ----------
+    curves : (N, 4, 2) float64
+        Control points in user units, N at least 1.
+    closed : bool
+        Whether the last curve ends where the first one starts.
+    """
+
+    curves: Curves
+    closed: bool = True
+
+    def __post_init__(self) -> None:
+        """Copy, check and lock the curves."""
+        curves = frozen(self.curves, np.float64, last=(4, 2))
+        if len(curves) == 0:
+            raise ShapeError("an outline needs at least one curve")
+        gaps = curves[1:, 0] - curves[:-1, 3]
+        if gaps.any() or (self.closed and (curves[0, 0] != curves[-1, 3]).any()):
+            raise ShapeError("an outline's curves must follow one another without a gap")
+        object.__setattr__(self, "curves", curves)
+
+    @property
+    def area(self) -> float:
+        """Signed area inside, positive when the outline runs clockwise as drawn."""
+        return bezier.signed_area(self.curves)
+
+    @property
+    def box(self) -> Points:
+        """Least and greatest corner of the drawn curve's bounding box, (2, 2).
+
+        Taken from 16 chords a curve, so within 0.2 % of a curve's own size.
+        """
+        points = np.concatenate([bezier.flatten(self.curves, 16), self.curves[-1:, 3]])
+        return np.stack([points.min(axis=0), points.max(axis=0)])
+
+    def close(self) -> "Outline":
+        """The outline with a straight line back to its start, if it is open."""
+        if self.closed:
+            return self
+        start, end = self.curves[0, 0], self.curves[-1, 3]
+        if (start == end).all():
+            return Outline(self.curves)
+        return Outline(np.concatenate([self.curves, bezier.line_curves(end, start)[None]]))
+
+    def reversed(self) -> "Outline":
+        """The same curve run the other way, from the same start if it is closed."""
+        return Outline(self.curves[::-1, ::-1], self.closed)
+
+    def transformed(self, matrix: Affine) -> "Outline":
+        """Every control point mapped by an affine map, (2, 3)."""
+        # Term by term: a matrix product may round equal points differently by their place.
+        x, y = self.curves[..., :1], self.curves[..., 1:]
+        return Outline(x * matrix[:, 0] + y * matrix[:, 1] + matrix[:, 2], self.closed)

@@ -1,0 +1,119 @@
+"""Styles through time, sorted out so that only numbers change within a track.
+
+A player can run from one colour to another and from one width to another. It cannot run from
+nothing to a colour, nor from a colour or one kind of gradient to another kind. Here what is absent
+for a while becomes the nearest paint, fully transparent; colours beside gradients become gradients
+of one colour; and where the kind still changes, the track is cut.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TypeVar
+
+from shapetween.model.blend import faded
+from shapetween.model.gradients import in_normal_form, solid_gradient
+from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
+
+__all__ = ["StyleTrack", "style_tracks"]
+
+#: Share of a dash pattern that its gaps may take and count as closed: where they are not seen, but
+#: the seams of dashes that meet are.
+CLOSED = 1e-5
+
+PaintT = TypeVar("PaintT", Paint, Colour | Gradient)
+
+
+@dataclass(frozen=True, slots=True)
+class StyleTrack:
+    """Styles at every sample, of which some are this track's to show.
+
+    Attributes
+    ----------
+    styles : tuple of Style
+        One for each sample; outside its own samples the track holds its first or last style.
+        All fills are absent, all colours, or all gradients in normal form of the same kind and
+        number of stops. So are all strokes' paints, and all strokes have as many dashes.
+    start, end : int
+        The first sample that is the track's own, and the first after it that is not.
+    """
+
+    styles: tuple[Style, ...]
+    start: int
+    end: int
+
+
+def style_tracks(styles: Sequence[Style]) -> list[StyleTrack]:
+    """Cut styles through time into tracks, most often one."""
+    fills = _of_one_sort([style.fill for style in styles])
+    strokes = _strokes([style.stroke for style in styles])
+    whole = [
+        replace(style, fill=fill, stroke=stroke)
+        for style, fill, stroke in zip(styles, fills, strokes, strict=True)
+    ]
+    sorts = [_sort(style) for style in whole]
+    cuts = [k for k in range(1, len(sorts)) if sorts[k] != sorts[k - 1]]
+    return [
+        StyleTrack(
+            (whole[start],) * start
+            + tuple(whole[start:end])
+            + (whole[end - 1],) * (len(whole) - end),
+            start,
+            end,
+        )
+        for start, end in pairwise([0, *cuts, len(whole)])
+    ]
+
+
+def _sort(style: Style) -> tuple[object, ...]:
+    """What must be equal in two styles for a player to run from one to the other."""
+    stroke = style.stroke
+    paints = [style.fill] if stroke is None else [style.fill, stroke.paint]
+    shades = [(p.kind, len(p.stops)) if isinstance(p, Gradient) else None for p in paints]
+    return (*shades, None if stroke is None else len(stroke.dashes))
+
+
+def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:
+    """The paints with none missing, and either all of them colours or all gradients."""
+    gradients = [k for k, paint in enumerate(paints) if isinstance(paint, Gradient)]
+    present = gradients or [k for k, paint in enumerate(paints) if paint is not None]
+    if not present:
+        return list(paints)
+    track: list[PaintT] = []
+    for k, paint in enumerate(paints):
+        near = paints[_nearest(present, k)]
+        if paint is None:
+            assert near is not None  # it is one of those present
+            paint = faded(near, 0.0)
+        elif isinstance(paint, Colour) and isinstance(near, Gradient):
+            paint = solid_gradient(paint, near)
+        track.append(in_normal_form(paint) if isinstance(paint, Gradient) else paint)
+    return track
+
+
+def _nearest(samples: Sequence[int], sample: int) -> int:
+    """The nearest of some samples, the later of two: what is reached is more like what follows."""
+    return min(samples, key=lambda other: (abs(other - sample), -other))
+
+
+def _strokes(strokes: Sequence[Stroke | None]) -> Sequence[Stroke | None]:
+    """The strokes with none missing, unless all are, and with paints of one sort."""
+    present = [k for k, stroke in enumerate(strokes) if stroke is not None]
+    if not present:
+        return strokes
+    nearest = [strokes[_nearest(present, k)] for k in range(len(strokes))]
+    filled = [_without_seams(stroke) for stroke in nearest if stroke is not None]
+    paints = _of_one_sort([stroke.paint for stroke in filled])
+    return [
+        replace(near, paint=paint if stroke is not None else faded(paint, 0.0))
+        for near, paint, stroke in zip(filled, paints, strokes, strict=True)
+    ]
+
+
+def _without_seams(stroke: Stroke) -> Stroke:
+    """The stroke unbroken if all gaps between its dashes are closed."""
+    gaps, length = stroke.dashes[1::2], sum(stroke.dashes)
+    # An odd pattern is read twice over, so that its dashes are gaps too.
+    if len(stroke.dashes) % 2 == 0 and sum(gaps) <= CLOSED * length:
+        return replace(stroke, dashes=())
+    return stroke

@@ -1,0 +1,223 @@
+"""Matching and meshing two rings, outers by themselves and holes along with their outers."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer
+from shapetween.deform.check import simple_frames
+from shapetween.geometry.bezier import flatten
+from shapetween.geometry.rotation import rotations
+from shapetween.match import Correspondence, correspond
+from shapetween.match.register import register
+from shapetween.mesh import mesh_matched
+from shapetween.mesh.file import check_mesh
+from shapetween.mesh.pair import MeshPair
+from shapetween.model.arclength import ArcLength
+from shapetween.model.outline import Outline
+from shapetween.outline.body import RingMatch
+from shapetween.outline.coarse import coarse
+from shapetween.outline.detail import DetailedOutlines
+from shapetween.outline.matched import MatchedOutlines
+
+__all__ = ["CORNERS", "match_hole", "match_outer", "next_matches"]
+
+#: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
+#: for nodes and cost the square of it.
+SAMPLES = 512
+
+#: Samples of a hole, which has no mesh of its own.
+HOLE_SAMPLES = 256
+
+#: Chords a curve is checked with where a polygon will do.
+CHORDS = 16
+
+#: Curves of one outline from which on both are matched by their coarse shapes. Fewer are drawn
+#: shapes, whose every curve means something.
+MANY_CURVES = 600
+
+#: Corners of all coarse outlines of a shape at most. More keep more of the shape from folding, and
+#: cost time with their square.
+CORNERS = 100
+
+
+def match_outer(
+    source: Outline,
+    target: Outline,
+    *,
+    quads: int | None,
+    pins: Points,
+    mesh: MeshPair | None,
+    upright: bool,
+    observe: Observer,
+    corners: int = CORNERS,
+) -> RingMatch:
+    """Match and mesh two outer rings.
+
+    Parameters
+    ----------
+    source, target : Outline
+        Closed, simple, clockwise as drawn, in one frame.
+    quads : int or None
+        About how many quads; None for as few as the shapes need.
+    pins : (K, 4) float64
+        Rows ax, ay, bx, by of points that belong together.
+    mesh : MeshPair or None
+        A mesh to use instead of a found one, its boundary on the outlines.
+    upright : bool
+        Whether the rings are parts of larger drawings, and so are not turned by themselves to
+        match better.
+    observe : Observer
+        Told of every stage.
+    corners : int
+        Corners at most of the coarse shapes that outlines of very many curves are matched by.
+
+    Raises
+    ------
+    OutlineError, OptionError, MeshError
+        What is wrong with the outlines, the pins, the mesh.
+    """
+    if mesh is not None:
+        if len(pins):
+            raise OptionError(
+                f"pin {pins[0, 0]:.6g},{pins[0, 1]:.6g}: lies on a shape whose mesh says already "
+                "what goes where; expected one or the other"
+            )
+        return _given_mesh(source, target, mesh, observe)
+    if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
+        found = _by_coarse_shapes(source, target, quads, upright, observe, corners)
+        if found is not None:
+            return found
+    with observe("match"):
+        matching = correspond(source, target, pins if len(pins) else None)
+        if upright:
+            matching = _upright(matching)
+    return _meshed(source, target, matching, quads, pins, observe)
+
+
+def _by_coarse_shapes(
+    source: Outline,
+    target: Outline,
+    quads: int | None,
+    upright: bool,
+    observe: Observer,
+    corners: int,
+) -> RingMatch | None:
+    """Match and mesh what is left of two outlines without their detail, which is carried.
+
+    None where one is an affine image of the other, or has no simple coarse shape.
+    """
+    with observe("match"):
+        ends = coarse(source, corners), coarse(target, corners)
+        if ends[0] is None or ends[1] is None or register(source, target) is not None:
+            return None
+        matching = correspond(ends[0].polygon, ends[1].polygon)
+        if upright:
+            matching = _upright(matching)
+        outlines = DetailedOutlines(ends[0], ends[1], matching.u, matching.v)
+        samples = outlines.samples()
+        if not simple_frames(np.stack([samples.source, samples.target])).all():
+            return None
+    with observe("mesh"):
+        found = mesh_matched(samples.source, samples.target, samples.joints, quads)
+    return RingMatch(
+        source, target, False, matching, outlines, samples, found.nodes, found.pair, found.level
+    )
+
+
+def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:
+    """The same two rings by their next best matchings, best first."""
+    for matching in ring.matching.others:
+        yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
+
+
+def match_hole(source: Outline, target: Outline, turned: float, observe: Observer) -> RingMatch:
+    """Match two holes of rings that are matched already.
+
+    Parameters
+    ----------
+    source, target : Outline
+        Both clockwise as drawn.
+    turned : float
+        Angle by which the outer rings turn, radians; a hole turns with its ring.
+    observe : Observer
+        Told of the stage.
+    """
+    with observe("match"):
+        turn = np.column_stack([rotations(np.asarray(turned)), np.zeros(2)])
+        matching = _upright(correspond(source.transformed(turn), target))
+        places = ArcLength(source), ArcLength(target)
+        outlines = MatchedOutlines(
+            *places, matching.u, matching.v, exact=matching.affine is not None
+        )
+        samples = outlines.samples(HOLE_SAMPLES)
+    # Two nodes far apart are enough to start from.
+    apart = np.linalg.norm(samples.source - samples.source[0], axis=1)
+    kept = np.unique([0, int(apart.argmax())])
+    return RingMatch(source, target, True, matching, outlines, samples, kept, None, "hole")
+
+
+def _upright(matching: Correspondence) -> Correspondence:
+    """The best matching that does not turn the ring, unless the two are the same but for place."""
+    if matching.affine is not None or matching.turn == 0:
+        return matching
+    return next((m for m in matching.others if m.turn == 0), matching)
+
+
+def _meshed(
+    source: Outline,
+    target: Outline,
+    matching: Correspondence,
+    quads: int | None,
+    pins: Points,
+    observe: Observer,
+) -> RingMatch:
+    with observe("match"):
+        places = ArcLength(source), ArcLength(target)
+        anchors = None
+        if len(pins):
+            found = places[0].nearest(pins[:, :2])[0], places[1].nearest(pins[:, 2:])[0]
+            anchors = np.stack(found, axis=1)
+        outlines = MatchedOutlines(
+            *places, matching.u, matching.v, anchors=anchors, exact=matching.affine is not None
+        )
+        samples = outlines.samples(SAMPLES)
+    with observe("mesh"):
+        mesh = mesh_matched(samples.source, samples.target, samples.joints, quads)
+    return RingMatch(
+        source, target, False, matching, outlines, samples, mesh.nodes, mesh.pair, mesh.level
+    )
+
+
+def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Observer) -> RingMatch:
+    with observe("match"):
+        polygons = flatten(source.curves, CHORDS), flatten(target.curves, CHORDS)
+        cycle = check_mesh(mesh, *polygons)
+        places = ArcLength(source), ArcLength(target)
+        anchors = np.stack(
+            [
+                places[0].nearest(mesh.source[cycle])[0],
+                places[1].nearest(mesh.target[cycle])[0],
+            ],
+            axis=1,
+        )
+        # A given node lies on the outline up to how finely it was written; here it does exactly.
+        on = places[0].point(anchors[:, 0]), places[1].point(anchors[:, 1])
+        matching = correspond(source, target, np.concatenate(on, axis=1))
+        outlines = MatchedOutlines(*places, matching.u, matching.v, anchors=anchors)
+        w = outlines.parameter(anchors[:, 0])
+        first = int(w.argmin())
+        cycle, w = np.roll(cycle, -first), np.roll(w, -first)
+        inner = np.setdiff1d(np.arange(len(mesh.source)), cycle)
+        order = np.concatenate([cycle, inner])
+        rank = np.argsort(order)
+        ends = [
+            np.concatenate([np.roll(nodes, -first, axis=0), given[inner]])
+            for nodes, given in zip(on, (mesh.source, mesh.target), strict=True)
+        ]
+        pair = MeshPair(ends[0], ends[1], rank[mesh.quads], rank[mesh.triangles])
+        samples = outlines.samples(SAMPLES)
+        kept = np.abs(samples.w[:, None] - w).argmin(axis=0)
+    return RingMatch(source, target, False, matching, outlines, samples, kept, pair, "given")

@@ -1,0 +1,1 @@
+"""A movement to pixels, frame by frame, and files of moving pictures."""

@@ -1,0 +1,1 @@
+"""An SVG file's bytes to a drawing, as browsers draw it."""

@@ -1,0 +1,158 @@
+"""A parsed document with what every stage of reading it looks up."""
+
+from collections import Counter
+from collections.abc import Callable
+from typing import TypeAlias
+from xml.etree.ElementTree import Element
+
+from shapetween.model.paint import Stop
+from shapetween.svg.read.limits import Limits
+from shapetween.svg.read.pathdata import PathData
+from shapetween.svg.read.style import Cascade
+from shapetween.svg.read.units import Viewport
+from shapetween.svg.read.xml import XLINK, local_name, parse_xml
+
+__all__ = ["Document", "Losses", "Pictures", "href", "label", "title_of"]
+
+Pictures: TypeAlias = Callable[[str], str | None]
+"""The ``data:`` address of a picture beside the document for its own address; None if it cannot be
+had."""
+
+
+class Losses:
+    """What could not be carried, counted, one line for each kind."""
+
+    def __init__(self) -> None:
+        self._counts: Counter[str] = Counter()
+        self._details: dict[str, str] = {}
+
+    def add(self, what: str, detail: str = "") -> None:
+        """Count one more of a kind of loss.
+
+        Parameters
+        ----------
+        what : str
+            The kind, in words for a single case.
+        detail : str
+            Where and why; only the first of a kind is kept.
+        """
+        self._counts[what] += 1
+        self._details.setdefault(what, detail)
+
+    def lines(self) -> list[str]:
+        """One line for each kind, in the order in which they first came."""
+        lines = []
+        for what, count in self._counts.items():
+            times = f" ({count} times)" if count > 1 else ""
+            detail = self._details[what]
+            first = "first, " if count > 1 else ""
+            lines.append(f"{what}{times}{': ' if detail else ''}{first if detail else ''}{detail}")
+        return lines
+
+
+class Document:
+    """A document's tree, ids, style and budgets.
+
+    Parameters
+    ----------
+    data : bytes
+    name : str
+        The file, for messages.
+    limits : Limits
+    pictures : callable, optional
+        Where pictures are found. If given, patterns and pictures are read as textures.
+
+    Attributes
+    ----------
+    root : Element
+    ids : dict
+        The first element with each id.
+    cascade : Cascade
+    losses : Losses
+        Filled as the document is drawn.
+    stops : dict
+        Stops of gradients at an opacity, without any that they inherit.
+    geometry : dict
+        What elements draw in viewports, kept for those that are drawn again.
+    textures : int
+        How many textures were made so far.
+    definitions : str or None
+        All of the document as the definitions of a texture, once that was asked for.
+
+    Raises
+    ------
+    InputError
+        If it is not a sound SVG document.
+    BudgetError
+    """
+
+    def __init__(
+        self, data: bytes, name: str, limits: Limits, pictures: Pictures | None = None
+    ) -> None:
+        self.name = name
+        self.pictures = pictures
+        self.textures = 0
+        self.definitions: str | None = None
+        self.limits = limits
+        self.losses = Losses()
+        self.root, warnings = parse_xml(data, name, limits)
+        self._spent: Counter[str] = Counter()
+        self.cascade = Cascade(self.root, self.spend)
+        for warning in (*warnings, *self.cascade.warnings):
+            self.losses.add(warning)
+        self.ids: dict[str, Element] = {}
+        for element in self.root.iter():
+            identity = element.get("id")
+            if identity:
+                self.ids.setdefault(identity, element)
+        self.stops: dict[tuple[Element, float], tuple[Stop, ...]] = {}
+        self.geometry: dict[tuple[Element, Viewport], PathData] = {}
+        self._parents: dict[Element, Element] | None = None
+
+    def spend(self, limit: str, amount: int = 1) -> None:
+        """Use up some of a budget.
+
+        Raises
+        ------
+        BudgetError
+        """
+        self._spent[limit] += amount
+        self.limits.check(limit, self._spent[limit], self.name)
+
+    def target(self, element: Element) -> Element | None:
+        """The element that an element's ``href`` names, within this document."""
+        address = href(element)
+        return self.ids.get(address[1:]) if address.startswith("#") else None
+
+    def is_within(self, element: Element, container: Element) -> bool:
+        """Whether an element is another, or lies within it."""
+        if self._parents is None:
+            self._parents = {child: parent for parent in self.root.iter() for child in parent}
+        at: Element | None = element
+        while at is not None and at is not container:
+            at = self._parents.get(at)
+        return at is not None
+
+
+def href(element: Element) -> str:
+    """The address an element refers to, empty if it has none."""
+    return (element.get("href") or element.get(f"{{{XLINK}}}href") or "").strip()
+
+
+def label(element: Element) -> str:
+    """What an element is called: its id, else the label its drawing program gave it."""
+    return (
+        element.get("id")
+        or element.get("{http://www.inkscape.org/namespaces/inkscape}label")
+        or element.get("data-name")
+        or element.get("aria-label")
+        or ""
+    ).strip()
+
+
+def title_of(root: Element) -> str:
+    """Text of the document's own title, white space folded."""
+    for child in root:
+        if local_name(child) == "title":
+            return " ".join("".join(child.itertext()).split())
+    return ""

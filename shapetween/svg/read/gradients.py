@@ -1,0 +1,185 @@
+"""Gradients of a document, resolved to the drawing's own units.
+
+.. [SVG2] *Scalable Vector Graphics 2*, chapter 14.
+"""
+
+from collections.abc import Mapping
+from typing import Literal
+from xml.etree.ElementTree import Element
+
+from shapetween.base.arrays import Affine
+from shapetween.model.drawing import Box
+from shapetween.model.paint import Colour, Gradient, Paint, Stop
+from shapetween.svg.read.colours import parse_paint
+from shapetween.svg.read.document import Document
+from shapetween.svg.read.style import Properties
+from shapetween.svg.read.transform import affine, compose, parse_transform
+from shapetween.svg.read.units import Viewport, number
+from shapetween.svg.read.xml import local_name
+
+__all__ = ["GRADIENTS", "colour_of", "gradient", "with_alpha"]
+
+GRADIENTS = frozenset({"linearGradient", "radialGradient"})
+
+#: Gradients that refer to gradients; more is taken for a circle.
+MOST_REFERENCES = 16
+
+#: Stops of a gradient that are read; more cannot be told apart.
+MOST_STOPS = 100
+
+_BLACK = Colour()
+
+
+def with_alpha(colour: Colour, share: float) -> Colour:
+    """A colour with its alpha multiplied."""
+    return Colour(colour.red, colour.green, colour.blue, colour.alpha * share)
+
+
+def colour_of(properties: Properties, name: str) -> Colour:
+    """A property that holds a colour, black by default."""
+    value = parse_paint(properties.get(name, "black"))
+    colour = value.colour if value else None
+    if isinstance(colour, str):  # currentcolor
+        return _BLACK if name == "color" else colour_of(properties, "color")
+    return colour or _BLACK
+
+
+def gradient(
+    document: Document,
+    element: Element,
+    box: Box,
+    matrix: Affine,
+    viewport: Viewport,
+    alpha: float,
+) -> Paint:
+    """What a gradient element paints a certain shape with.
+
+    Parameters
+    ----------
+    document : Document
+    element : Element
+    box : Box
+        The shape's own bounding box, in its local coordinates and without its stroke.
+    matrix : (2, 3) float64
+        From those to the drawing's user units.
+    viewport : Viewport
+    alpha : float
+        ``fill-opacity`` or ``stroke-opacity``.
+
+    Returns
+    -------
+    Gradient, Colour or None
+        A colour where the gradient is only one, None where it paints nothing.
+    """
+    chain = _chain(document, element)
+    stops = _stops(document, chain, alpha)
+    if not stops:
+        return None
+    values: dict[str, str] = {}
+    for link in reversed(chain):
+        values.update(link.items())
+    style = document.cascade.properties(element, {})
+    if "transform" in style:  # as CSS; the attribute is called gradientTransform
+        values["gradientTransform"] = style["transform"]
+
+    in_box = values.get("gradientUnits", "objectBoundingBox").strip() != "userSpaceOnUse"
+    if in_box:
+        if box.width <= 0 or box.height <= 0:
+            return None
+        matrix = compose(matrix, affine(box.width, 0, 0, box.height, box.x, box.y))
+        viewport = Viewport(1.0, 1.0)
+    if len(stops) == 1:
+        return stops[0].colour
+    turned = parse_transform(values.get("gradientTransform", ""))
+    if turned is not None:
+        matrix = compose(matrix, turned)
+    (a, c, e), (b, d, f) = matrix.tolist()
+    if a * d == b * c:
+        return stops[-1].colour
+
+    kind: Literal["linear", "radial"] = "linear"
+    if local_name(element) == "radialGradient":
+        kind = "radial"
+        points = _radial(values, viewport)
+        flat = points[2] <= 0
+    else:
+        points = _linear(values, viewport)
+        flat = points[:2] == points[2:]
+    if flat:
+        return stops[-1].colour
+    spread = values.get("spreadMethod", "pad").strip()
+    return Gradient(
+        kind,
+        points,
+        (a, b, c, d, e, f),
+        stops,
+        "reflect" if spread == "reflect" else "repeat" if spread == "repeat" else "pad",
+    )
+
+
+def _chain(document: Document, element: Element) -> list[Element]:
+    """A gradient and those it takes its missing parts from, nearest first."""
+    chain = [element]
+    while len(chain) <= MOST_REFERENCES:
+        following = document.target(chain[-1])
+        if following is None or following in chain or local_name(following) not in GRADIENTS:
+            break
+        chain.append(following)
+    return chain
+
+
+def _stops(document: Document, chain: list[Element], alpha: float) -> tuple[Stop, ...]:
+    """Stops of the first gradient in a chain that has any."""
+    for link in chain:
+        if (link, alpha) not in document.stops:
+            document.stops[link, alpha] = _own_stops(document, link, alpha)
+        if stops := document.stops[link, alpha]:
+            return stops
+    return ()
+
+
+def _own_stops(document: Document, element: Element, alpha: float) -> tuple[Stop, ...]:
+    elements = [child for child in element if local_name(child) == "stop"]
+    if len(elements) > MOST_STOPS:
+        document.losses.add("a gradient of too many stops was cut short")
+    inherited = document.cascade.properties(element, {})
+    stops = []
+    reached = 0.0
+    for stop in elements[:MOST_STOPS]:
+        properties = document.cascade.properties(stop, inherited)
+        offset = number(stop.get("offset"))
+        reached = max(reached, min(1.0, max(0.0, offset or 0.0)))
+        opacity = number(properties.get("stop-opacity"))
+        share = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
+        stops.append(Stop(reached, with_alpha(colour_of(properties, "stop-color"), share * alpha)))
+    return tuple(stops)
+
+
+def _linear(values: Mapping[str, str], viewport: Viewport) -> tuple[float, ...]:
+    return (
+        _length(values, "x1", "0%", viewport, viewport.width),
+        _length(values, "y1", "0%", viewport, viewport.height),
+        _length(values, "x2", "100%", viewport, viewport.width),
+        _length(values, "y2", "0%", viewport, viewport.height),
+    )
+
+
+def _radial(values: Mapping[str, str], viewport: Viewport) -> tuple[float, ...]:
+    cx = _length(values, "cx", "50%", viewport, viewport.width)
+    cy = _length(values, "cy", "50%", viewport, viewport.height)
+    r = _length(values, "r", "50%", viewport, viewport.diagonal)
+    fx, fy = (
+        viewport.length(values.get("fx"), viewport.width),
+        viewport.length(values.get("fy"), viewport.height),
+    )
+    return (cx, cy, r, cx if fx is None else fx, cy if fy is None else fy)
+
+
+def _length(
+    values: Mapping[str, str], name: str, default: str, viewport: Viewport, of: float
+) -> float:
+    value = viewport.length(values.get(name, default), of)
+    if value is None:
+        value = viewport.length(default, of)
+    assert value is not None  # the defaults are sound
+    return value

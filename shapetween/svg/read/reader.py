@@ -1,0 +1,136 @@
+"""An SVG file's bytes to a drawing, as browsers draw it.
+
+The stages: bytes to a tree (`xml`), its style (`style`), the walk over what is painted (`walk`),
+each element's curves and paint (`figure`). Nothing here opens a file or the network. What cannot
+be carried is named in the drawing's warnings.
+"""
+
+from collections import defaultdict
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from shapetween.base.arrays import Floats
+from shapetween.base.errors import BudgetError, InputError
+from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.svg.read.clip import Clipper
+from shapetween.svg.read.document import Document, Pictures, title_of
+from shapetween.svg.read.figure import shapes_of
+from shapetween.svg.read.limits import Limits
+from shapetween.svg.read.transform import affine
+from shapetween.svg.read.units import Viewport, common_unit
+from shapetween.svg.read.viewbox import parse_view_box
+from shapetween.svg.read.walk import Frame, walk
+
+__all__ = ["read_svg"]
+
+#: What percentages are of in a document without any size: the size browsers give such an object.
+DEFAULT_SIZE = (300.0, 150.0)
+
+#: Shapes in a translucent group up to which overlaps are looked for; in larger groups some
+#: overlap is taken for granted.
+MOST_COMPARED = 500
+
+
+def read_svg(
+    data: bytes, name: str, limits: Limits | None = None, pictures: Pictures | None = None
+) -> Drawing:
+    """Read a whole SVG document.
+
+    Parameters
+    ----------
+    data : bytes
+        The file: SVG text in any encoding it declares, gzipped or not.
+    name : str
+        What the user calls the file, for messages.
+    limits : Limits, optional
+        Budgets, by default those that no honest file meets.
+    pictures : callable, optional
+        Where pictures beside the file are found. If given, shapes keep patterns, and pictures are
+        shapes, both with textures that only a picture of the drawing can show.
+
+    Returns
+    -------
+    Drawing
+        In the user units of the root's view box. Without one, in the unit that the page's width
+        and height are written in, as drawing programs show it: a page of 210mm by 297mm is 210 by
+        297; px where they name none, or two. At least one shape. Rings
+        that are only filled are closed; stroked ones stay open where they were drawn so.
+        ``warnings`` names what the file holds that could not be carried.
+
+    Raises
+    ------
+    InputError
+        If it is not SVG, or nothing in it can be drawn.
+    BudgetError
+        If it passes one of the limits.
+    """
+    try:
+        return _read(data, name, limits or Limits(), pictures)
+    except (RecursionError, MemoryError):
+        raise BudgetError(name, "is nested too deeply or too large to be read") from None
+
+
+def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> Drawing:
+    document = Document(data, name, limits, pictures)
+    root = document.root
+    view_box = parse_view_box(root.get("viewBox"))
+    if view_box is None and root.get("viewBox", "").strip():
+        document.losses.add("its viewBox is malformed or has no area and was left out")
+    page = _page(root)
+    unit = 1.0 if view_box else common_unit(root.get("width"), root.get("height"))
+    seen = view_box or page
+    width, height = (seen.width, seen.height) if seen else DEFAULT_SIZE
+    pixel = view_box.width / page.width if view_box and page else 1 / unit
+    written = affine(1 / unit, 0, 0, 1 / unit, 0, 0)
+    frame = Frame(written, {}, Viewport(width, height), pixel)
+    if seen and not view_box:
+        seen = Box(0.0, 0.0, seen.width / unit, seen.height / unit)
+
+    shapes: list[Shape] = []
+    clipper = Clipper(document)
+    veiled: dict[Element, list[Floats]] = defaultdict(list)
+    for placed in walk(document, root, frame):
+        for whole in shapes_of(document, placed):
+            clips = placed.frame.clips
+            parts = clipper.clipped(whole, clips) if clips else [whole]
+            shapes += parts
+            for shape in parts if placed.frame.translucent else ():
+                box = _shape_box(shape)
+                for group in placed.frame.translucent:
+                    veiled[group].append(box)
+    if any(_overlapping(boxes) for boxes in veiled.values()):
+        document.losses.add("a group's opacity was given to each shape: overlaps will show")
+    losses = document.losses.lines()
+    if not shapes:
+        nothing = "holds nothing that can be drawn; expected shapes with a fill or a stroke"
+        raise InputError(name, "; ".join([nothing, *losses]))
+    return Drawing(tuple(shapes), seen or _drawn_box(shapes), title_of(root), tuple(losses))
+
+
+def _page(root: Element) -> Box | None:
+    """Width and height in px, if the document gives both."""
+    sizes = [Viewport(0.0, 0.0).length(root.get(side), 0.0) for side in ("width", "height")]
+    width, height = (size or 0.0 for size in sizes)
+    return Box(0.0, 0.0, width, height) if width > 0 and height > 0 else None
+
+
+def _shape_box(shape: Shape) -> Floats:
+    """Least and greatest corner of what a shape paints, (2, 2)."""
+    boxes = np.stack([ring.box for ring in shape.rings])
+    margin = shape.style.stroke.width / 2 if shape.style.stroke else 0.0
+    return np.stack([boxes[:, 0].min(axis=0) - margin, boxes[:, 1].max(axis=0) + margin])
+
+
+def _drawn_box(shapes: list[Shape]) -> Box:
+    boxes = np.stack([_shape_box(shape) for shape in shapes])
+    least, greatest = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    return Box(*least.tolist(), *(greatest - least).tolist())
+
+
+def _overlapping(boxes: list[Floats]) -> bool:
+    if len(boxes) > MOST_COMPARED:
+        return True
+    least, greatest = np.moveaxis(np.stack(boxes), 1, 0)
+    meet = (least[:, None] < greatest[None]).all(axis=-1)
+    return bool((meet & meet.T).sum() > len(boxes))

@@ -1,0 +1,189 @@
+"""An animated SVG: the whole movement in one file that plays by itself.
+
+Written in SMIL, which every browser plays even inside ``<img>``. Without it the file shows the
+first frame: that is what each path holds at rest. A reader who asks for less motion is shown the
+first frame too, as a twin of the drawing that stands still.
+"""
+
+import math
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from typing import Literal, get_args
+
+import numpy as np
+
+from shapetween.base.errors import OptionError
+from shapetween.model.drawing import Shape
+from shapetween.model.movement import Movement, Part
+from shapetween.model.tracks import style_tracks
+from shapetween.svg.write.animate import Clock, animate, animate_shown
+from shapetween.svg.write.animate_style import animate_style
+from shapetween.svg.write.elements import GradientDefs, add_shape, document, named, text_of
+from shapetween.svg.write.numbers import decimals_of, path_data
+from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule
+from shapetween.timing.timeline import Loop, Timeline
+
+__all__ = ["add_part", "smil_svg"]
+
+#: Shows the twin instead of the movement. The class names are ours alone, because a page that holds
+#: the drawing shares its style sheet; and without any style sheet the twin stays hidden.
+REDUCED_MOTION = (
+    "@media (prefers-reduced-motion:reduce){"
+    ".shapetween-moving{display:none}.shapetween-still{display:inline}}"
+)
+
+
+#: Paint is looked at on every fourth sample: it changes evenly, and slower than shapes.
+PAINT_STRIDE = 4
+
+#: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
+#: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
+MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
+
+#: Most keyframes that may be asked for: sixty a second for a quarter of a minute. Many more are a
+#: slip of the hand, and fill the memory.
+MOST_KEYFRAMES = 1000
+
+#: Curves of all samples that are held at once, and the strides of samples that may be left out for
+#: it: parts of the steps on which keyframes may lie.
+MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
+
+#: A style's times are kept inside these, where it has all it needs on the way (a plain colour on
+#: its way to a gradient is a gradient there) and differs from its ends by nothing to be seen.
+INSIDE = (1e-6, 1 - 1e-6)
+
+
+def smil_svg(
+    *legs: Movement,
+    duration: float = 2.0,
+    easing: str = "linear",
+    loop: Loop = "once",
+    hold: float = 0.0,
+    closed: bool = False,
+    keyframes: Literal["auto"] | int = "auto",
+    precision: int | None = None,
+) -> str:
+    """Write a movement as an animated SVG, or several that follow each other.
+
+    Parameters
+    ----------
+    *legs : Movement
+        Each starts with the drawing that the one before ends with. All are shown in the box, and
+        under the title, of the first.
+    duration : float
+        Seconds of each of them.
+    easing : str
+        That of each; see `shapetween.timing.easing.easing_function`. The default shows at every
+        moment what the frame of that time shows.
+    loop : {"once", "repeat", "alternate"}
+        Stay at the end, start over, or go back through all of them and start over.
+    hold : float
+        Seconds that each drawing stands still.
+    closed : bool
+        Whether the last drawing is the first, and starting over needs no rest at both.
+    keyframes : "auto" or int
+        By default as few as keep every point within a quarter of a pixel where the view box is
+        1000 px large; or a number of them, even along the easing.
+    precision : int, optional
+        Decimals of coordinates; by default about 1/10000 of the larger side of the view
+        box, or of what is drawn where that is smaller.
+
+    Raises
+    ------
+    OptionError
+        If an option cannot be used; the message says what could.
+    """
+    clock = _clock(_timeline(duration, loop, hold, len(legs), closed=closed), easing, keyframes)
+    first = legs[0]
+    tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
+    ends = [drawing for leg in legs for drawing in leg.at(np.array([0.0, 1.0]))]
+    decimals = max(decimals_of(drawing, precision) for drawing in ends)
+    gradients = GradientDefs(decimals)
+
+    root = document(first.box, first.title)
+    ET.SubElement(root, "style").text = REDUCED_MOTION
+    root.append(gradients.element)
+    moving = ET.SubElement(root, "g", {"class": "shapetween-moving"})
+    still = ET.SubElement(root, "g", {"class": "shapetween-still", "display": "none"})
+    ids = iter(named([part.name for leg in legs for part in leg.parts]))
+    at_rest = iter(ends[0].shapes)
+    for k, leg in enumerate(legs):
+        own = replace(clock, leg=k)
+        group = moving if len(legs) == 1 else _add_leg(moving, own)
+        for part in leg.parts:
+            add_part(group, part, own, gradients, next(ids), tolerance)
+            if k == 0:
+                shape = next(at_rest)
+                add_shape(still, Shape(shape.rings, shape.style), gradients, {})
+    if not len(gradients.element):
+        root.remove(gradients.element)
+    return text_of(root)
+
+
+def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
+    """A group for the paths of one leg, which is shown in its turn.
+
+    Each leg has paths of its own, for the number of its curves is its own. Without SMIL the first
+    one is shown.
+    """
+    group = ET.SubElement(parent, "g", {"display": "none"} if clock.leg > 0 else {})
+    animate_shown(group, clock)
+    return group
+
+
+def _timeline(duration: float, loop: Loop, hold: float, legs: int, *, closed: bool) -> Timeline:
+    """The plan the options ask for."""
+    if not (math.isfinite(duration) and duration >= 1e-3):
+        raise OptionError(f"duration {duration}: expected seconds, at least 0.001")
+    if not (math.isfinite(hold) and hold >= 0):
+        raise OptionError(f"hold {hold}: expected seconds, 0 or more")
+    if loop not in get_args(Loop):
+        raise OptionError(f"loop {loop!r}: expected {', '.join(get_args(Loop))}")
+    return Timeline(duration, loop, hold, legs, closed)
+
+
+def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
+    """The clock the options ask for, of the first leg."""
+    if keyframes == "auto":
+        return Clock(Schedule.of(easing), True, timeline)
+    if not 2 <= keyframes <= MOST_KEYFRAMES:
+        raise OptionError(f"{keyframes} keyframes: expected 'auto', or from 2 to {MOST_KEYFRAMES}")
+    return Clock(Schedule.of(easing, keyframes), False, timeline)
+
+
+def add_part(
+    parent: ET.Element,
+    part: Part,
+    clock: Clock,
+    gradients: GradientDefs,
+    name: dict[str, str],
+    tolerance: float,
+) -> None:
+    """Write a part as an animated path, or as several that take turns where its kind of paint does.
+
+    `tolerance` is how far points may be off between two keyframes.
+    """
+    count = sum(part.rings)
+    shape_clock = _for_so_many(clock, count)
+    stack = part.curves(shape_clock.schedule.time)
+    picks = shape_clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
+    while clock.adaptive and len(picks) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(count, 1)):
+        tolerance *= LOOSER
+        picks = shape_clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
+    values = path_data(stack[picks], part.rings, part.closed, gradients.decimals)
+    slower = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
+    styles = [part.style(t) for t in np.clip(slower.time, *INSIDE).tolist()]
+    for track in style_tracks(styles):
+        path = ET.SubElement(parent, "path", name if track.start == 0 else {})
+        animate_style(path, track, replace(clock, schedule=slower), gradients, tolerance)
+        path.set("d", values[0])
+        animate(path, "d", shape_clock, picks, values)
+
+
+def _for_so_many(clock: Clock, count: int) -> Clock:
+    """The clock with fewer samples, where so many curves at all of them would not fit in memory."""
+    steps = len(clock.schedule.time) - 1
+    if not clock.adaptive or steps * count <= MOST_SAMPLED:
+        return clock
+    stride = next(k for k in STRIDES if steps * count <= k * MOST_SAMPLED or k == STRIDES[-1])
+    return replace(clock, schedule=clock.schedule.thinned(stride))

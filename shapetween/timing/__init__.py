@@ -1,0 +1,1 @@
+"""When what is shown: easings, keyframes, loops and rests."""

@@ -1,0 +1,134 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from shapetween.base.arrays import Floats, Points
+from shapetween.match import correspond
+from shapetween.match.correspondence import Correspondence
+from shapetween.match.sampling import sample
+from shapetween.match.symmetry import Axes, aligned_axes, mirror_axes
+from shapetween.model.outline import Outline
+from tests.match.shapes import polygon, rotation, rounded, star, target_at
+
+GRID = np.arange(200) / 200
+
+
+def mirrored(half: Points) -> Points:
+    """The polygon of points from top to bottom on the right and their mirror images."""
+    return np.concatenate([half, half[::-1] * [-1, 1]])
+
+
+def vase(seed: int, corners: int = 6) -> Points:
+    """A symmetric polygon unlike those of other seeds, upright."""
+    rng = np.random.default_rng(seed)
+    heights = np.sort(rng.uniform(-2, 2, corners))
+    return mirrored(np.column_stack([rng.uniform(0.3, 1.2, corners), heights]))
+
+
+def unevenness(found: Correspondence, a: Outline, b: Outline) -> float:
+    """How far the matching is from its mirror image, as a share of the second's length."""
+    axes = [mirror_axes(sample(outline).points) for outline in (a, b)]
+    starts = [sample(outline).start for outline in (a, b)]
+    ends = [start + axis.ends[0] for start, axis in zip(starts, axes, strict=True)]
+    there = target_at(found, ends[0] + GRID) - ends[1]
+    back = target_at(found, ends[0] - GRID) - ends[1]
+    gap = there + back
+    return float(np.abs(gap - np.round(gap)).max())
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 10**6), st.floats(-3, 3), st.booleans())
+def test_the_axis_of_a_symmetric_outline_is_found_however_it_is_turned(
+    seed: int, angle: float, smooth: bool
+) -> None:
+    points = vase(seed)
+    outline = (rounded if smooth else polygon)(points)
+    outline = outline if outline.area > 0 else outline.reversed()
+    axes = mirror_axes(sample(outline.transformed(rotation(angle, 7.0))).points)
+    along = np.exp(1j * (axes.directions - angle))
+    assert len(axes.ends) == 2
+    np.testing.assert_allclose(np.sort(along.imag), [-1, 1], atol=1e-3)
+
+
+@pytest.mark.parametrize("sides", [3, 4, 5])
+def test_a_regular_polygon_has_as_many_axes_as_sides(sides: int) -> None:
+    angle = 2 * np.pi * np.arange(sides) / sides + 0.1
+    axes = mirror_axes(sample(polygon(np.stack([np.cos(angle), np.sin(angle)], axis=1))).points)
+    assert len(axes.ends) == 2 * sides
+    gaps = np.diff(np.sort(axes.directions))
+    np.testing.assert_allclose(gaps, np.pi / sides, atol=0.02)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_lopsided_outline_has_no_axis(seed: int) -> None:
+    assert len(mirror_axes(sample(polygon(star(seed))).points).ends) == 0
+
+
+def test_a_small_tail_makes_an_outline_lopsided() -> None:
+    points = vase(3)
+    tailed = np.insert(points, 3, points[2] + [0.9, 0.1], axis=0)
+    assert len(mirror_axes(sample(polygon(points)).points).ends) == 2
+    assert len(mirror_axes(sample(polygon(tailed)).points).ends) == 0
+
+
+def axes(*directions: float) -> Axes:
+    angles = np.array([*directions, *(d + np.pi for d in directions)])
+    ends: Floats = np.linspace(0, 1, len(angles), endpoint=False)
+    return Axes(ends, angles)
+
+
+def test_axes_are_paired_end_with_end_in_the_frame() -> None:
+    assert aligned_axes(axes(0.3), axes(1.4), 0.0) == []
+    (turned,) = aligned_axes(axes(0.3), axes(1.4), 1.0)
+    np.testing.assert_array_equal(turned, [[0, 0], [0.5, 0.5]])
+    (other_way,) = aligned_axes(axes(0.3), axes(0.3 + np.pi), 0.0)
+    np.testing.assert_array_equal(other_way, [[0, 0.5], [0.5, 0]])
+
+
+def test_every_axis_of_the_one_with_fewer_is_paired() -> None:
+    many = axes(*(np.pi * np.arange(7) / 7))
+    for pairs in (aligned_axes(many, axes(0.5), 0.0), aligned_axes(axes(0.5), many, 0.0)):
+        assert len(pairs) == 1
+
+
+@settings(max_examples=10)
+@given(st.integers(0, 10**6), st.floats(-0.2, 0.2))
+def test_symmetric_outlines_are_matched_symmetrically(seed: int, lean: float) -> None:
+    a, b = polygon(vase(seed)), polygon(vase(seed + 1, 8)).transformed(rotation(lean))
+    found = correspond(a, b)
+    # Unlike ones may be turned or matched side to end where that is far cheaper.
+    if abs(found.turn) < 0.5:
+        assert unevenness(found, a, b) < 2e-3
+
+
+def test_a_creature_of_eight_legs_keeps_its_sides() -> None:
+    """The second one's lowest pair of legs is small: none of them may go to a jaw."""
+    ends = []
+    for lowest in (1.8, 0.5):
+        half = [[0.1, -1.0]]
+        for height, reach in ((-0.6, 1.6), (-0.2, 1.8), (0.2, 1.8), (0.6, lowest)):
+            half += [[0.4, height - 0.1], [reach, height - 0.1 + height / 2]]
+            half += [[reach, height + 0.1 + height / 2], [0.4, height + 0.1]]
+        ends.append(polygon(mirrored(np.array([*half, [0.1, 1.0]]))))
+    a, b = ends
+    assert unevenness(correspond(a, b), a, b) < 2e-3
+
+
+def test_symmetric_outlines_that_stand_are_not_turned() -> None:
+    """Trousers would fit a vest better upside down."""
+    trousers = mirrored(np.array([[1.0, -2.0], [1.3, 2.0], [0.3, 2.2], [0.1, -0.5]]))
+    vest = mirrored(np.array([[0.3, -1.0], [0.6, -2.0], [1.0, -2.0], [0.9, -1.2], [1.1, 1.8]]))
+    assert correspond(polygon(trousers), polygon(vest)).turn == 0.0
+
+
+def test_an_arrow_up_turns_to_become_another_that_points_down() -> None:
+    up = mirrored(np.array([[0.02, -2.0], [1.2, -0.6], [0.4, -0.6], [0.4, 2.0]]))
+    slim = mirrored(np.array([[0.02, -2.0], [1.0, -0.3], [0.2, -0.5], [0.15, 1.8]]))
+    assert abs(correspond(polygon(up), polygon(-slim)).turn) == pytest.approx(np.pi, abs=0.1)
+
+
+def test_a_pin_outweighs_symmetry() -> None:
+    a, b = polygon(vase(5)), polygon(vase(6))
+    apart = np.array([[*a.curves[2, 0], *b.curves[4, 0]]])
+    assert unevenness(correspond(a, b, apart), a, b) > 0.02

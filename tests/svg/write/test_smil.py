@@ -1,0 +1,324 @@
+"""The animated file as XML: what must hold in it whatever a browser makes of it."""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from shapetween.base.arrays import Floats, Index
+from shapetween.base.errors import OptionError
+from shapetween.model.drawing import Box
+from shapetween.model.movement import Movement
+from shapetween.model.paint import Colour, Gradient, Stop, Style
+from shapetween.svg.write.sequence import frame_svg
+from shapetween.svg.write.smil import smil_svg
+from shapetween.timing.easing import easing_function
+from shapetween.timing.timeline import Loop
+from tests.movements import FormulaPart, circle, rest, sample_chain, sample_movement, spin
+
+SVG = "{http://www.w3.org/2000/svg}"
+NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
+STOPS = (Stop(0.0, Colour(1, 1, 0)), Stop(1.0, Colour(0, 0, 0.5)))
+STRIPES = Gradient("linear", (10, 40, 60, 60), (1, 0, 0, 1, 0, 0), STOPS)
+
+
+def points(d: str) -> Floats:
+    """All points written in path data, (K, 2)."""
+    return np.array([float(text) for text in NUMBER.findall(d)]).reshape(-1, 2)
+
+
+def moving_paths(root: ET.Element) -> list[ET.Element]:
+    return root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}path")
+
+
+def animation(path: ET.Element, attribute: str) -> tuple[Floats, list[str]]:
+    """Times, and values, of an attribute's animation."""
+    (element,) = path.findall(f"{SVG}animate[@attributeName='{attribute}']")
+    return played(element, "keyTimes")[:, 0], element.attrib["values"].split(";")
+
+
+def played(element: ET.Element, attribute: str) -> Floats:
+    """A list of lists of numbers, such as keySplines."""
+    rows = element.attrib[attribute].split(";")
+    return np.array([[float(text) for text in row.split()] for row in rows])
+
+
+def progress(element: ET.Element, u: Floats) -> tuple[Index, Floats]:
+    """As SMIL defines it: which interval each time is in, and the share of it that is played."""
+    times = played(element, "keyTimes")[:, 0]
+    k = np.clip(np.searchsorted(times, u, side="right") - 1, 0, len(times) - 2)
+    share = (u - times[k]) / (times[k + 1] - times[k])
+    if element.attrib["calcMode"] == "spline":
+        splines = played(element, "keySplines")
+        assert ((splines >= 0) & (splines <= 1)).all()
+        for n in np.unique(k):
+            ease = easing_function(f"cubic-bezier({','.join(map(repr, splines[n].tolist()))})")
+            share[k == n] = ease(share[k == n])
+    return k, share
+
+
+@settings(max_examples=25)
+@given(
+    st.sampled_from([1e-3, 1.0, 24.0, 1e6]),
+    st.floats(-0.5, 0.5),
+    st.sampled_from(["linear", "ease-in-out", "cubic-bezier(.9,0,.1,1)"]),
+)
+def test_the_browsers_in_betweens_stay_within_a_quarter_of_a_pixel(
+    size: float, turns: float, easing: str
+) -> None:
+    curves = circle(np.array([0.5, 0.4]), 0.3) * (size, size * 0.5)
+    part = FormulaPart(curves, spin(turns, (0.2 * size, 0.1 * size)))
+    movement = Movement((part,), Box(0, 0, size, size))
+    root = ET.fromstring(smil_svg(movement, easing=easing))
+    (path,) = moving_paths(root)
+    (element,) = path.findall(f"{SVG}animate[@attributeName='d']")
+    shown = np.array([points(value) for value in element.attrib["values"].split(";")])
+    u = np.linspace(0, 1, 997)
+    k, share = progress(element, u)
+    between = (1 - share)[:, None, None] * shown[k] + share[:, None, None] * shown[k + 1]
+    exact = part.curves(easing_function(easing)(u))
+    # A path says where a curve starts only once, at the start of its ring.
+    drawn = np.concatenate([exact[:, :1, 0], exact[:, :, 1:].reshape(len(u), -1, 2)], axis=1)
+    away = np.linalg.norm(between - drawn, axis=-1).max()
+    assert away <= 0.25 * size / 1000
+
+
+def test_every_value_has_the_same_commands_and_the_file_rests_at_its_start() -> None:
+    movement = sample_movement()
+    root = ET.fromstring(smil_svg(movement))
+    still, moving = moving_paths(root)
+    assert not still.findall(f"{SVG}animate"), "a part at rest is not animated"
+    times, values = animation(moving, "d")
+    assert moving.attrib["d"] == values[0]
+    assert {re.sub("[^A-Z]", "", value) for value in values} == {"MCZ"}
+    assert times[0] == 0
+    assert times[-1] == 1
+    assert (np.diff(times) > 0).all()
+    for t, value in ((0.0, values[0]), (1.0, values[-1])):
+        frame = ET.fromstring(frame_svg(movement.at(np.array([t]))[0]))
+        assert frame.findall(f"{SVG}path")[1].attrib["d"] == value
+
+
+@pytest.mark.parametrize("loop", ["once", "repeat", "alternate"])
+def test_loops_say_when(loop: Loop) -> None:
+    root = ET.fromstring(smil_svg(sample_movement(), duration=1.5, loop=loop, keyframes=3))
+    for element in root.iter(f"{SVG}animate"):
+        attributes = element.attrib
+        values = attributes["values"].split(";")
+        assert attributes["dur"] == ("3s" if loop == "alternate" else "1.5s")
+        assert (attributes.get("fill") == "freeze") == (loop == "once")
+        assert (attributes.get("repeatCount") == "indefinite") == (loop != "once")
+        if loop == "alternate":
+            assert attributes["keyTimes"] == "0;.25;.5;.75;1"
+            assert values == values[::-1]
+        else:
+            assert attributes["keyTimes"] == "0;.5;1"
+
+
+def test_the_way_back_eases_as_the_way_there_seen_backwards() -> None:
+    text = smil_svg(sample_movement(), easing="ease-in", loop="alternate", keyframes=2)
+    element = moving_paths(ET.fromstring(text))[1].find(f"{SVG}animate[@attributeName='d']")
+    assert element is not None
+    assert element.attrib["calcMode"] == "spline"
+    assert element.attrib["keySplines"] == ".42 0 1 1;0 0 .58 1"
+
+
+def test_a_twin_stands_still_for_those_who_ask() -> None:
+    text = smil_svg(sample_movement(Style(STRIPES), Style(Colour(1, 0, 0))))
+    root = ET.fromstring(text)
+    twin = root.find(f"{SVG}g[@class='shapetween-still']")
+    assert twin is not None
+    assert twin.attrib["display"] == "none", "nothing shows it where style sheets are not read"
+    assert not list(twin.iter(f"{SVG}animate"))
+    moving = moving_paths(root)
+    assert [path.attrib["d"] for path in twin] == [path.attrib["d"] for path in moving]
+    animated = {
+        g.attrib["id"] for g in root.iter(f"{SVG}linearGradient") if g.find(".//*/*") is not None
+    }
+    used = {path.attrib["fill"] for path in twin}
+    assert animated
+    assert not used & {f"url(#{name})" for name in animated}
+    assert "prefers-reduced-motion" in text
+
+
+def test_a_rest_at_both_ends() -> None:
+    """A plain movement too can stand still, and without a rest it is as it always was."""
+    movement = sample_movement()
+    for loop, times, seconds in (
+        ("once", "0;.2;.6;1", "2.5s"),
+        ("repeat", "0;.16667;.5;.83333;1", "3s"),
+        ("alternate", "0;.1;.3;.5;.6;.8;1", "5s"),
+    ):
+        text = smil_svg(movement, loop=loop, hold=0.5, keyframes=3)  # type: ignore[arg-type]
+        element = moving_paths(ET.fromstring(text))[1].find(f"{SVG}animate[@attributeName='d']")
+        assert element is not None
+        assert (element.attrib["keyTimes"], element.attrib["dur"]) == (times, seconds)
+        values = element.attrib["values"].split(";")
+        assert values[0] == values[1]
+        assert smil_svg(movement, loop=loop, hold=0.0) == smil_svg(movement, loop=loop)  # type: ignore[arg-type]
+
+
+def shown_legs(root: ET.Element, share: float) -> list[int]:
+    """The legs that are displayed at a share of the whole, as SMIL defines it."""
+    legs = []
+    for k, group in enumerate(root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")):
+        times, values = animation(group, "display")
+        if values[np.searchsorted(times, share, side="right") - 1] == "inline":
+            legs.append(k)
+    return legs
+
+
+@pytest.mark.parametrize("hold", [0.0, 0.7])
+@pytest.mark.parametrize("loop", ["once", "repeat", "alternate"])
+def test_one_leg_of_a_chain_is_shown_at_any_time(loop: Loop, hold: float) -> None:
+    text = smil_svg(*sample_chain(), loop=loop, hold=hold, easing="ease")
+    root = ET.fromstring(text)
+    groups = root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")
+    assert [group.get("display") for group in groups] == [None, "none", "none"]
+    assert len({element.attrib["dur"] for element in root.iter(f"{SVG}animate")}) == 1
+    edges = [time for group in groups for time in animation(group, "display")[0]]
+    shares = np.union1d(np.linspace(0, 1, 301), edges)
+    order = [shown_legs(root, share) for share in shares]
+    assert all(len(legs) == 1 for legs in order)
+    turns = [before for before, after in pairwise([*order, [-1]]) if before != after]
+    assert turns == [[0], [1], [2], *([[1], [0]] if loop == "alternate" else [])]
+
+
+def test_legs_have_a_structure_and_ids_of_their_own() -> None:
+    root = ET.fromstring(smil_svg(*sample_chain(), loop="alternate", hold=0.3))
+    structures = []
+    for group in root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g"):
+        commands: set[str] = set()
+        for path in group.findall(f"{SVG}path"):
+            _, values = animation(path, "d")
+            assert path.attrib["d"] == values[0]
+            written = {re.sub("[^A-Z]", "", value) for value in values}
+            assert len(written) == 1
+            commands |= written
+        structures.append(commands)
+    assert structures == [{"MCZ"}, {"MCZ", "MCZMCZ"}, {"MCZ"}]
+    ids = [element.attrib["id"] for element in root.iter() if "id" in element.attrib]
+    assert len(ids) == len(set(ids))
+    twin = root.find(f"{SVG}g[@class='shapetween-still']")
+    assert twin is not None
+    assert [path.attrib["d"] for path in twin] == [path.attrib["d"] for path in legs_paths(root, 0)]
+
+
+def legs_paths(root: ET.Element, leg: int) -> Sequence[ET.Element]:
+    groups = root.findall(f"{SVG}g[@class='shapetween-moving']/{SVG}g")
+    return groups[leg].findall(f"{SVG}path")
+
+
+def test_many_legs_have_finer_times() -> None:
+    """Or the moments of each would be rounded to coarse steps."""
+    leg = sample_movement()
+    root = ET.fromstring(smil_svg(*[leg] * 40, keyframes=121))
+    for k in (0, 20, 39):
+        element = legs_paths(root, k)[1].find(f"{SVG}animate[@attributeName='d']")
+        assert element is not None
+        steps = np.diff(played(element, "keyTimes")[:, 0]) * 40
+        moving = steps[(steps > 0) & (steps < 0.5)]
+        assert len(moving) == 120
+        np.testing.assert_allclose(moving, 1 / 120, rtol=0.01)
+
+
+def test_names_are_escaped_and_ids_unique() -> None:
+    curves = circle(np.array([5.0, 5.0]), 3.0)
+    names = ["a", "a", 'x"<&>y', "two words", "", "g\0\x01é", "a"]
+    styles = (Style(STRIPES), Style(replace(STRIPES, points=(0, 0, 9, 9))))
+    parts = tuple(FormulaPart(curves, rest, *styles, name) for name in names)
+    movement = Movement(parts, Box(0, 0, 10, 10), '1 < 2 & "3" \0')
+    for text in (smil_svg(movement), frame_svg(movement.at(np.array([0.5]))[0])):
+        root = ET.fromstring(text)
+        ids = [e.attrib["id"] for e in root.iter() if "id" in e.attrib]
+        assert len(ids) == len(set(ids))
+        assert ids.count("a") == 1
+        assert {'x"<&>y', "gé"} <= set(ids)
+        assert root.findtext(f"{SVG}title") == '1 < 2 & "3" '
+        for reference in re.findall(r"url\(#([^)]*)\)", text):
+            assert reference in ids
+
+
+def test_files_of_other_contents_have_other_gradients() -> None:
+    stripes = Style(STRIPES)
+    frames = sample_movement(stripes, stripes).at(np.array([0.0, 0.5]))
+    names = [re.findall(r"url\(#([^)]*)\)", frame_svg(frame)) for frame in frames]
+    assert names[0]
+    assert not set(names[0]) & set(names[1])
+
+
+def test_the_same_movement_is_the_same_text() -> None:
+    assert smil_svg(sample_movement()) == smil_svg(sample_movement())
+
+
+def test_fixed_keyframes_are_even() -> None:
+    times, values = animation(
+        moving_paths(ET.fromstring(smil_svg(sample_movement(), keyframes=5)))[1], "d"
+    )
+    assert times.tolist() == [0, 0.25, 0.5, 0.75, 1]
+    assert len(values) == 5
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"duration": 0.0}, "duration 0.0: expected seconds"),
+        ({"duration": float("nan")}, "expected seconds"),
+        ({"loop": "forever"}, "expected once, repeat, alternate"),
+        ({"hold": -0.1}, "hold -0.1: expected seconds"),
+        ({"hold": float("inf")}, "hold inf: expected seconds"),
+        ({"keyframes": 1}, "1 keyframes: expected 'auto', or from 2 to 1000"),
+        ({"easing": "bouncy"}, "easing 'bouncy'"),
+        ({"precision": 99}, "precision 99"),
+    ],
+)
+def test_options_that_cannot_be_used_are_refused(options: dict[str, object], message: str) -> None:
+    with pytest.raises(OptionError, match=re.escape(message)):
+        smil_svg(sample_movement(), **options)  # type: ignore[arg-type]
+
+
+def test_styles_that_change_kind_take_turns() -> None:
+    radial = Gradient("radial", (60, 50, 30, 50, 45), (1, 0, 0, 1, 0, 0), STOPS)
+    root = ET.fromstring(smil_svg(sample_movement(Style(STRIPES), Style(radial)), loop="alternate"))
+    _, first, second = moving_paths(root)
+    assert first.attrib["d"] == second.attrib["d"]
+    assert "visibility" not in first.attrib
+    assert second.attrib["visibility"] == "hidden"
+    times, values = animation(first, "visibility")
+    assert times.tolist() == [0, 0.25, 0.75]
+    assert values == ["visible", "hidden", "visible"]
+
+
+def test_an_empty_movement_is_an_empty_drawing() -> None:
+    root = ET.fromstring(smil_svg(Movement((), Box(0, 0, 10, 10))))
+    assert root.attrib["viewBox"] == "0 0 10 10"
+    assert not list(root.iter(f"{SVG}path"))
+
+
+def test_frames_hold_paths_only() -> None:
+    """Filled and stroked, with holes; no transform, no command but M, C and Z."""
+    (drawing,) = sample_movement(Style(STRIPES, opacity=0.5, fill_rule="evenodd")).at(np.zeros(1))
+    root = ET.fromstring(frame_svg(drawing))
+    kinds = {element.tag.removeprefix(SVG) for element in root.iter()}
+    assert kinds == {"svg", "title", "defs", "linearGradient", "stop", "path"}
+    ring, front = root.findall(f"{SVG}path")
+    assert ring.attrib["id"] == "ring"
+    assert ring.attrib["fill"] == "#396"
+    assert re.sub("[^A-Za-z]", "", ring.attrib["d"]) == "MCZMCZ"
+    assert front.attrib["fill"].startswith("url(#")
+    assert (front.attrib["opacity"], front.attrib["fill-rule"]) == (".5", "evenodd")
+
+
+def test_precision_is_that_of_the_file() -> None:
+    curves = circle(np.array([1 / 3, 1 / 3]), 0.1)
+    movement = Movement((FormulaPart(curves, spin(0.1)),), Box(0, 0, 1, 1))
+    for precision in (2, 6):
+        text = smil_svg(movement, precision=precision)
+        d = moving_paths(ET.fromstring(text))[0].attrib["d"]
+        assert max(len(part) for part in re.findall(r"\.(\d+)", d)) == precision

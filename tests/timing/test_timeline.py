@@ -1,0 +1,71 @@
+"""When the legs of a chain are to be seen, and when they move."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from shapetween.timing.timeline import Loop, Passage, Timeline
+
+timelines = st.builds(
+    Timeline,
+    duration=st.floats(0.01, 100),
+    loop=st.sampled_from(["once", "repeat", "alternate"]),
+    hold=st.just(0.0) | st.floats(0.001, 100),
+    legs=st.integers(1, 12),
+    closed=st.booleans(),
+)
+
+
+def all_passages(timeline: Timeline) -> list[tuple[int, Passage]]:
+    """Legs and their passages, in the order in which they are to be seen."""
+    found = [(leg, p) for leg in range(timeline.legs) for p in timeline.passages(leg)]
+    return sorted(found, key=lambda both: both[1].shown)
+
+
+@given(timelines)
+def test_one_passage_after_another_without_a_gap(timeline: Timeline) -> None:
+    passages = [passage for _, passage in all_passages(timeline)]
+    assert passages[0].shown == 0
+    assert passages[-1].until == 1
+    for before, after in pairwise(passages):
+        assert before.until == after.shown
+    for p in passages:
+        assert p.shown <= p.start < p.end <= p.until
+
+
+@given(timelines)
+def test_every_way_takes_its_seconds_and_every_drawing_its_rest(timeline: Timeline) -> None:
+    passages = [passage for _, passage in all_passages(timeline)]
+    near = pytest.approx
+    for p in passages:
+        assert (p.end - p.start) * timeline.seconds == near(timeline.duration)
+        assert (p.start - p.shown) * timeline.seconds == near(timeline.hold, abs=1e-9)
+    after_the_last = (1 - passages[-1].end) * timeline.seconds
+    rests_there = timeline.loop == "repeat" and not timeline.closed
+    assert after_the_last == near(timeline.hold if rests_there else 0, abs=1e-9)
+
+
+@given(timelines)
+def test_there_and_back(timeline: Timeline) -> None:
+    order = [(leg, p.back) for leg, p in all_passages(timeline)]
+    there = [(leg, False) for leg in range(timeline.legs)]
+    back = [(leg, True) for leg in reversed(range(timeline.legs))]
+    assert order == (there + back if timeline.loop == "alternate" else there)
+
+
+@pytest.mark.parametrize(
+    ("loop", "closed", "seconds"),
+    [("once", False, 7.5), ("repeat", False, 8.0), ("repeat", True, 7.5), ("alternate", False, 15)],
+)
+def test_the_length_of_the_whole(loop: Loop, closed: bool, seconds: float) -> None:
+    assert Timeline(2.0, loop, 0.5, 3, closed).seconds == seconds
+
+
+def test_moments_of_a_passage_come_in_order() -> None:
+    clock = np.array([0.0, 0.25, 1.0])
+    there, back = Timeline(1.0, "alternate").passages(0)
+    np.testing.assert_allclose(there.at(clock), [0, 0.125, 0.5])
+    np.testing.assert_allclose(back.at(clock), [0.5, 0.875, 1.0])
