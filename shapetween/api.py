@@ -16,6 +16,7 @@ from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
 from shapetween.model.fit import Fit, inverted, mapped
+from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.diagram import MeshView
@@ -91,6 +92,17 @@ class Morph:
     def report(self) -> dict[str, Any]:
         """How the movement was found and what is known of its quality, ready for JSON."""
         return report.build(self.prepared, self.method)
+
+    @property
+    def correspondence(self) -> tuple[RingCorrespondence, ...]:
+        """Which points belong together, ring after ring, in each drawing's own user units."""
+        back = inverted(self.prepared.fit)
+        return tuple(
+            RingCorrespondence.of(part.name, ring, back)
+            for part in self.prepared.filled
+            for body in part.bodies
+            for ring in body.nodes.rings
+        )
 
     @property
     def meshes(self) -> tuple[tuple[str, MeshPair], ...]:

@@ -47,6 +47,25 @@ def test_writing(moved: st.Morph, tmp_path: Path) -> None:
     assert "animate" in moved._repr_html_()
 
 
+def test_the_correspondence_is_told_in_each_drawings_own_units(tmp_path: Path) -> None:
+    """The first and the last frame have these points where the drawings have them."""
+    box = '<path d="M{0} {0}H{1}V{1}H{0}Z M{2} {2}V{3}H{3}V{2}Z"/>'
+    for name, content in (
+        ("a", svg(box.format(1, 9, 3, 6))),
+        ("b", svg(box.format(20, 160, 60, 110), "0 0 200 200")),
+    ):
+        (tmp_path / f"{name}.svg").write_text(content, "utf-8")
+    found = st.morph(tmp_path / "a.svg", tmp_path / "b.svg").correspondence
+    assert [ring.hole for ring in found] == [False, True]
+    for ring, (own, other) in zip(found, (((1, 9), (20, 160)), ((3, 6), (60, 110))), strict=True):
+        assert len(ring.w) == len(ring.source) == len(ring.target)
+        assert (np.diff(ring.w) > 0).all()
+        for points, sides in ((ring.source, own), (ring.target, other)):
+            np.testing.assert_allclose(
+                [points.min(axis=0), points.max(axis=0)], np.c_[sides, sides]
+            )
+
+
 def test_a_mesh_goes_round(pair: tuple[Path, Path], moved: st.Morph) -> None:
     ((name, mesh),) = moved.meshes
     assert name == ""

@@ -16,14 +16,12 @@ from shapetween.match.costs import (
     intrinsic_cost,
     likeness_of_vertices,
     looks,
-    prepare,
     stations,
     upright_cost,
 )
 from shapetween.match.dynamic import Paths, cyclic_paths
 from shapetween.match.layout import Layout, layout_of, mirrored_layout
 from shapetween.match.symmetry import aligned_axes
-from shapetween.model.outline import Outline
 
 __all__ = ["best_matching"]
 
@@ -98,16 +96,16 @@ class Candidate:
     axis: Floats | None = None
 
 
-def best_matching(source: Outline, target: Outline, pins: Floats) -> Correspondence:
+def best_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     """The best matching of two outlines that are no affine images of one another.
 
     Parameters
     ----------
-    source, target : Outline
+    a, b : Prepared
+        Source and target.
     pins : (K, 2) float64
         Fractions along source and target that are to be matched, in cyclic order.
     """
-    a, b = prepare(source), prepare(target)
     pins = pins - [a.samples.start, b.samples.start]
     pins = pins - np.floor(pins)
     if _comes_second(a, b):

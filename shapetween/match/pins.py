@@ -7,7 +7,7 @@ from shapetween.base.errors import OptionError
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
 
-__all__ = ["pinned_places"]
+__all__ = ["pinned_places", "places_in_order"]
 
 #: Farthest a pin may lie from its outline, as a share of the outline's diagonal: a click beside
 #: the line is meant, one elsewhere is a mistake.
@@ -54,11 +54,31 @@ def pinned_places(source: Outline, target: Outline, pins: Points | None) -> Floa
                 f" at most {reach:.4g} is taken as on it"
             )
         places.append(place % 1.0)
-    found = np.stack(places, axis=1)
+    return _ordered(np.stack(places, axis=1), rows)
+
+
+def places_in_order(pins: Floats) -> Floats:
+    """Pins given as places, checked as `pinned_places` does.
+
+    Parameters
+    ----------
+    pins : (K, 2) float64
+        Fractions of the two lengths, of any turn.
+
+    Returns
+    -------
+    (K, 2) float64
+        From 0 to 1.
+    """
+    return _ordered(pins % 1.0, pins)
+
+
+def _ordered(found: Floats, named: Floats) -> Floats:
+    """The places, if each fits in with those before it; else it is told by its own numbers."""
     for k in range(1, len(found)):
         if not _in_order(found[: k + 1]):
             raise OptionError(
-                f"pin {_named(rows[k])} is out of order: round both outlines the pins must"
+                f"pin {_named(named[k])} is out of order: round both outlines the pins must"
                 " follow one another alike, no two on one spot"
             )
     return found
@@ -74,5 +94,5 @@ def _in_order(places: Floats) -> bool:
 
 
 def _named(pin: Floats) -> str:
-    ax, ay, bx, by = pin
-    return f"{ax:g},{ay:g}:{bx:g},{by:g}"
+    first, second = np.split(pin, 2)
+    return ":".join(",".join(f"{x:g}" for x in half) for half in (first, second))

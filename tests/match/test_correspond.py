@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError, OutlineError
-from shapetween.match import correspond
+from shapetween.match import Matcher, correspond
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
 from tests.match.shapes import (
@@ -168,6 +168,33 @@ def test_several_pins_are_all_met() -> None:
     assert apart(target_at(forward, u), v) < 1e-9
     backward = correspond(b, a, pins[:, [2, 3, 0, 1]])
     assert apart(source_at(backward, GRID), target_at(forward, GRID)) < 1e-9
+
+
+def test_a_matcher_is_asked_for_any_pins_as_places_or_points() -> None:
+    a, b = polygon(star(8)), rounded(star(9))
+    here, there = ArcLength(a), ArcLength(b)
+    matcher = Matcher(a, b)
+    for places in ([[0.3, 0.4]], [[0.1, 0.7], [1.35, 0.9], [0.8, -0.6]]):
+        rows = np.array(places)
+        pins = np.concatenate([here.point(rows[:, 0] % 1), there.point(rows[:, 1] % 1)], axis=1)
+        by_places, by_points = matcher.match(rows), matcher.match(pins)
+        alone = correspond(a, b, pins)
+        assert apart(target_at(by_places, rows[:, 0]), rows[:, 1]) < 1e-9
+        assert apart(target_at(by_places, GRID), target_at(by_points, GRID)) < 1e-6
+        assert (alone.u == by_points.u).all()
+        assert (alone.v == by_points.v).all()
+
+
+def test_pins_choose_among_affine_maps_and_may_rule_all_out() -> None:
+    square = polygon(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))
+    matcher = Matcher(square, square)
+    for pins, turn in ((np.zeros((0, 2)), 0.0), (np.array([[0.0, 0.25]]), np.pi / 2)):
+        found = matcher.match(pins)
+        assert found.affine is not None
+        assert found.turn == pytest.approx(turn, abs=1e-9)
+    assert matcher.match(np.array([[0.0, 0.1]])).affine is None
+    with pytest.raises(OptionError, match=r"pin 0.5:0.1 is out of order"):
+        matcher.match(np.array([[0.0, 0.1], [0.5, 0.1]]))
 
 
 @pytest.mark.parametrize(
