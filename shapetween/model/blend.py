@@ -29,7 +29,7 @@ from shapetween.model.gradients import (
 from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
 
-__all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab"]
+__all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab", "to_oklab"]
 
 #: Linear sRGB to the cone responses, and their cube roots to OKLab ([Ott20]_).
 CONES = np.array(
@@ -147,11 +147,12 @@ def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
     if (a.red, a.green, a.blue) == (b.red, b.green, b.blue):
         return replace(a, alpha=alpha)
     share = t * b.alpha / alpha if alpha > 0 else t
-    return from_oklab((1 - share) * _to_lab(a) + share * _to_lab(b), alpha)
+    return from_oklab((1 - share) * to_oklab(a) + share * to_oklab(b), alpha)
 
 
 @lru_cache(maxsize=4096)
-def _to_lab(colour: Colour) -> Floats:
+def to_oklab(colour: Colour) -> Floats:
+    """OKLab of a colour without its alpha, (3,)."""
     srgb = np.array([colour.red, colour.green, colour.blue])
     return np.asarray(LAB @ np.cbrt(CONES @ srgb_to_linear(srgb)))
 
@@ -218,7 +219,7 @@ def _mean_colour(gradient: Gradient) -> Colour:
     alphas = np.array([stop.colour.alpha for stop in gradient.stops])
     alpha = float(widths @ alphas)
     weights = widths * alphas / alpha if alpha > 0 else widths
-    labs = np.array([_to_lab(stop.colour) for stop in gradient.stops])
+    labs = np.array([to_oklab(stop.colour) for stop in gradient.stops])
     return from_oklab(weights @ labs, alpha)
 
 

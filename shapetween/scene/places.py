@@ -1,0 +1,182 @@
+"""Places along an outline by shares of its length, and two outlines cut alike at such places."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.model.outline import Outline
+
+__all__ = ["Pieces", "Places", "cut_alike"]
+
+#: Chords that each curve's length is taken from. Places only have to correspond, so a few do.
+CHORDS = 24
+
+#: Share of the length that a curve of no length counts as, so that every place has one curve.
+LEAST = 1e-9
+
+#: Distance of two places, as a share of the length, up to which they are one.
+SAME = 1e-7
+
+#: Parameter nearer than this to a curve's end is that end.
+END = 1e-6
+
+
+class Places:
+    """Shares of an outline's length, and where they are on its curves.
+
+    Parameters
+    ----------
+    outline : Outline
+        Also one that is a single point.
+
+    Attributes
+    ----------
+    outline : Outline
+    joints : (N + 1,) float64
+        Share at which each curve starts, and 1.
+    """
+
+    def __init__(self, outline: Outline) -> None:
+        self.outline = outline
+        points = evaluate(outline.curves, np.arange(CHORDS + 1) / CHORDS)
+        steps = np.hypot(*np.moveaxis(np.diff(points, axis=1), -1, 0))
+        total = float(steps.sum())
+        steps = steps + LEAST * (total or 1.0)
+        self._along = np.concatenate([[0.0], np.cumsum(steps.ravel())])
+        self._along /= self._along[-1]
+        self.length = total
+        self.joints = self._along[::CHORDS].copy()
+
+    def locate(self, share: Floats) -> tuple[Index, Floats]:
+        """Curve and parameter at shares of the length; a joint belongs to the curve after it."""
+        s = share - np.floor(share) if self.outline.closed else np.clip(share, 0.0, 1.0)
+        place = np.interp(s, self._along, np.arange(len(self._along)) / CHORDS)
+        count = len(self.outline.curves)
+        curve = np.minimum(place.astype(np.intp), count - 1)
+        t = place - curve
+        late = t > 1 - END
+        if self.outline.closed:
+            curve = np.where(late, (curve + 1) % count, curve)
+        else:
+            late &= curve < count - 1
+            curve = np.where(late, curve + 1, curve)
+        return curve, np.where(late | (t < END), 0.0, t)
+
+    def share(self, curve: Index, t: Floats) -> Floats:
+        """Share of the length at parameters of curves."""
+        whole = np.arange(len(self._along)) / CHORDS
+        return np.asarray(np.interp(curve + t, whole, self._along))
+
+    def point(self, share: Floats) -> Points:
+        """Points at shares of the length, (N, 2)."""
+        curve, t = self.locate(share)
+        return np.asarray(evaluate(self.outline.curves[curve], t[:, None])[:, 0])
+
+    def nearest(self, points: Points) -> Floats:
+        """Shares of the length nearest to points (N, 2)."""
+        t = np.arange(CHORDS) / CHORDS
+        chords = evaluate(self.outline.curves, t).reshape(-1, 2)
+        ends = np.concatenate([chords[1:], self.outline.curves[-1:, 3]])
+        step = ends - chords
+        size = (step**2).sum(axis=1)
+        away = points[:, None] - chords
+        part = np.clip((away * step).sum(-1) / np.where(size > 0, size, 1.0), 0.0, 1.0)
+        distance = ((away - part[..., None] * step) ** 2).sum(-1)
+        # Equal up to rounding: the first one.
+        least = distance.min(axis=1, keepdims=True)
+        scale = float(np.ptp(chords, axis=0).max()) ** 2
+        best = (distance <= least + 1e-12 * scale).argmax(axis=1)
+        rest = part[np.arange(len(points)), best]
+        return np.asarray(self._along[best] + rest * (self._along[best + 1] - self._along[best]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pieces:
+    """Two outlines as equally many curves, each becoming its counterpart.
+
+    Attributes
+    ----------
+    source, target : (P, 4, 2) float64
+        Exact parts of the outlines' own curves, in order; a part may be a point.
+    closed : bool
+        Whether they are rings.
+    """
+
+    source: Curves
+    target: Curves
+    closed: bool
+
+
+def cut_alike(source: Places, target: Places, u: Floats, v: Floats) -> Pieces:
+    """Cut two outlines where either one has a joint or a knot.
+
+    Parameters
+    ----------
+    source, target : Places
+        Both closed or both open.
+    u, v : (K,) float64
+        Shares that correspond, neither ever decreasing. Of closed outlines the last knot is the
+        first one a turn later; of open ones they run from 0 to 1.
+    """
+    k = np.arange(len(u), dtype=np.float64)
+    turns = np.array([-1.0, 0.0, 1.0]) if source.outline.closed else np.zeros(1)
+    at = [k]
+    for places, knots in ((source, u), (target, v)):
+        joints = (places.joints[:-1] + turns[:, None]).ravel()
+        joints = joints[(joints > knots[0] + SAME) & (joints < knots[-1] - SAME)]
+        span = np.clip(np.searchsorted(knots, joints, side="right") - 1, 0, len(knots) - 2)
+        room = knots[span + 1] - knots[span]
+        part = (joints - knots[span]) / np.where(room > 0, room, 1.0)
+        near = np.minimum(part, 1 - part) * room < SAME
+        at.append((span + part)[~near])
+    w = np.unique(np.concatenate(at))
+    ends = [np.interp(w, k, knots) for knots in (u, v)]
+    # Places that are one on both outlines are one.
+    moved = np.maximum(np.diff(ends[0]), np.diff(ends[1])) > SAME
+    keep = np.append(True, moved)
+    keep[-1] = True
+    ends = [places[keep] for places in ends]
+    first, second = (
+        _parts(places, shares) for places, shares in zip((source, target), ends, strict=True)
+    )
+    some = (np.ptp(first, axis=1) > 0).any(axis=1) | (np.ptp(second, axis=1) > 0).any(axis=1)
+    if some.any() and not some.all():
+        first, second = first[some], second[some]
+    return Pieces(first, second, source.outline.closed)
+
+
+def _parts(places: Places, shares: Floats) -> Curves:
+    """Parts of an outline between shares (N + 1,) of its length, each within one curve."""
+    curves = places.outline.curves
+    # A share next to a joint is the joint, to the last digit.
+    turns = np.floor(shares) if places.outline.closed else np.zeros(len(shares))
+    rest = shares - turns
+    near = np.abs(places.joints - rest[:, None])
+    best = near.argmin(axis=1)
+    rest = np.where(near.min(axis=1) < SAME, places.joints[best], rest)
+    curve, t = places.locate(rest)
+    count = len(curves)
+    if not places.outline.closed:
+        last = rest >= 1.0
+        curve, t = np.where(last, count, curve), np.where(last, 0.0, t)
+    start, begin, after, end = curve[:-1], t[:-1], curve[1:], t[1:]
+    still = (np.diff(shares) <= SAME) | ((start == after) & (begin == end) & (count > 1))
+    still |= (start == after) & (begin >= end) & (np.diff(shares) < 0.5 / max(count, 2))
+    whole = np.where((end == 0.0) & ~still, 1.0, np.where(still, begin, end))
+    index = np.minimum(start, count - 1)
+    begin = np.where(start == count, 1.0, begin)
+    whole = np.where(start == count, 1.0, whole)
+    parts = sub_curves(curves[index], begin, whole)
+    full = (begin == 0.0) & (whole == 1.0)
+    parts[full] = curves[index[full]]
+    # Each part starts at the very point where the one before it ends.
+    parts[:-1, 3] = parts[1:, 0]
+    if places.outline.closed:
+        parts[-1, 3] = parts[0, 0]
+    for k in np.flatnonzero(still):
+        parts[k] = parts[k, 0]
+        if k + 1 < len(parts):
+            parts[k, 3] = parts[k + 1, 0]
+    return parts
