@@ -10,9 +10,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from shapetween.api import Morph, morph
+    from shapetween.api import Chain, Morph, chain, morph
     from shapetween.base.errors import ShapetweenError
-    from shapetween.chains import Chain, chain
     from shapetween.interpolate import tween
     from shapetween.interpolate.quads import interpolate_quads
     from shapetween.mesh.pair import MeshPair
@@ -32,12 +31,12 @@ __all__ = [
 
 #: Where each public name lives; nothing is imported before it is asked for.
 _HOMES = {
-    "Chain": "shapetween.chains",
+    "Chain": "shapetween.api",
     "Drawing": "shapetween.model.drawing",
     "MeshPair": "shapetween.mesh.pair",
     "Morph": "shapetween.api",
     "ShapetweenError": "shapetween.base.errors",
-    "chain": "shapetween.chains",
+    "chain": "shapetween.api",
     "interpolate_quads": "shapetween.interpolate.quads",
     "morph": "shapetween.api",
     "tween": "shapetween.interpolate",

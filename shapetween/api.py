@@ -1,28 +1,30 @@
-"""The library's front door: two files in, a movement that can be asked for frames or written."""
+"""The library's front door: files in, a movement that can be asked for frames or written."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from shapetween import report
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
+from shapetween.formats.moving import Moving
 from shapetween.io import files
 from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
-from shapetween.model.fit import Fit, inverted, mapped
+from shapetween.model.fit import Fit, fit_matrix, inverted, mapped
+from shapetween.model.movement import Movement
 from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.diagram import MeshView
-from shapetween.timing.easing import easing_function, even_times
 
-__all__ = ["Morph", "Source", "morph", "name_of", "opened"]
+__all__ = ["Chain", "Morph", "Source", "chain", "morph"]
 
 Source: TypeAlias = str | PathLike[str] | Drawing
 """An SVG file, or a drawing already read."""
@@ -31,7 +33,7 @@ Pin: TypeAlias = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Morph:
+class Morph(Moving):
     """A prepared movement between two drawings.
 
     Attributes
@@ -49,45 +51,15 @@ class Morph:
         """What was lost or is doubtful, one line each."""
         return self.prepared.warnings
 
-    def at(self, t: float) -> Drawing:
-        """The drawing at one time from 0 to 1."""
-        if not 0 <= t <= 1:
-            raise OptionError(f"t: {t} is not from 0 to 1")
-        return self.prepared.movement.at(np.array([float(t)]))[0]
+    @property
+    def movements(self) -> tuple[Movement, ...]:
+        """The one movement."""
+        return (self.prepared.movement,)
 
-    def frames(self, count: int, easing: str = "linear") -> list[Drawing]:
-        """Drawings at `count` times, even along the easing, the ends the first and the last."""
-        times = easing_function(easing)(even_times(count))
-        return list(self.prepared.movement.at(times))
-
-    def svg(
-        self,
-        *,
-        duration: float = 2.0,
-        easing: str = "linear",
-        loop: Literal["once", "repeat", "alternate"] = "once",
-        hold: float = 0.0,
-        keyframes: int | Literal["auto"] = "auto",
-        precision: int | None = None,
-    ) -> str:
-        """The movement as the text of one animated SVG; both drawings stand still for `hold`."""
-        from shapetween.svg.write.smil import smil_svg
-
-        return smil_svg(
-            self.prepared.movement,
-            duration=duration,
-            easing=easing,
-            loop=loop,
-            hold=hold,
-            keyframes=keyframes,
-            precision=precision,
-        )
-
-    def write(self, path: str | PathLike[str], **settings: Any) -> None:
-        """Write the movement as one animated SVG, named so; `settings` are those of `svg`."""
-        place = Path(path)
-        files.check_form(place, "a movement", (".svg",))
-        files.write_text(place, self.svg(**settings))
+    @property
+    def closed(self) -> bool:
+        """A pair is no round."""
+        return False
 
     def report(self) -> dict[str, Any]:
         """How the movement was found and what is known of its quality, ready for JSON."""
@@ -141,9 +113,44 @@ class Morph:
                 views.append(MeshView(part.name, ring.source, outline, pair, nodes))
         return views
 
-    def _repr_html_(self) -> str:
-        """Show the movement in a notebook."""
-        return self.svg(loop="alternate")
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chain(Moving):
+    """Prepared movements that follow each other.
+
+    Attributes
+    ----------
+    legs : tuple of Morph
+        From each drawing to the next, all in the frame and the user units of the first.
+    names : tuple of str
+        What the drawings are called, one more than legs.
+    closed : bool
+        Whether the last drawing is the first one again.
+    """
+
+    legs: tuple[Morph, ...] = field(repr=False)
+    names: tuple[str, ...]
+    closed: bool = field()  # else the property it stands for would be its default
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was lost or is doubtful, one line each; what names no drawing names its leg."""
+        lines = [
+            line if line.startswith(tuple(f"{name}: " for name in names)) else f"{of_leg}: {line}"
+            for leg, names in zip(self.legs, pairwise(self.names), strict=True)
+            for of_leg in [" to ".join(names)]
+            for line in leg.warnings
+        ]
+        return tuple(dict.fromkeys(lines))
+
+    @property
+    def movements(self) -> tuple[Movement, ...]:
+        """Those of the legs."""
+        return tuple(leg.prepared.movement for leg in self.legs)
+
+    def report(self) -> dict[str, Any]:
+        """How each leg was found and what is known of its quality, ready for JSON."""
+        return report.build_chain([leg.report() for leg in self.legs], self.names, self.warnings)
 
 
 def morph(
@@ -206,9 +213,73 @@ def morph(
         together=together,
     )
     with observe("read"):
-        drawings = opened(a, pictures), opened(b, pictures)
-    names = name_of(a, "first drawing"), name_of(b, "second drawing")
+        drawings = _opened(a, pictures), _opened(b, pictures)
+    names = _name_of(a, "first drawing"), _name_of(b, "second drawing")
     return Morph(prepare(*drawings, options, names=names, observe=observe), method)
+
+
+def chain(
+    drawings: Iterable[Source],
+    *,
+    method: str = "projective",
+    quads: int | None = None,
+    fit: Fit = "view",
+    folds: Folds = "prevent",
+    pictures: bool = False,
+    observe: Observer = unobserved,
+) -> Chain:
+    """Prepare the movement through several drawings.
+
+    Parameters
+    ----------
+    drawings : iterable of path or Drawing
+        SVG files, or drawings already read, at least two. Naming the first one again at the end
+        closes the chain.
+    method, quads, folds, pictures
+        As for `shapetween.morph`, for every leg.
+    fit : {"view", "geometry", "none"}
+        How each drawing is brought into the frame of the first.
+    observe : Observer, optional
+        Told of every stage of every leg as it begins and ends.
+
+    Raises
+    ------
+    ShapetweenError
+        If a file cannot be read or an option does not fit; its text is one line.
+    """
+    if isinstance(drawings, str | PathLike | Drawing):
+        alone = _name_of(drawings, "one drawing")
+        raise OptionError(f"chain: {alone}: expected a list of drawings")
+    sources = list(drawings)
+    if len(sources) < 2:
+        raise OptionError(f"chain: {len(sources)} drawings; expected two or more")
+    options = Options(method=method, quads=quads, fit="none", folds=folds)
+    names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
+    with observe("read"):
+        different = {_key(source): source for source in sources}
+        drawn = {key: _opened(source, pictures) for key, source in different.items()}
+        read = [drawn[_key(source)] for source in sources]
+    with observe("fit"):
+        framed = [_in_frame(drawing, read[0], fit) for drawing in read]
+    title = " to ".join(drawing.title for drawing in read if drawing.title)
+    legs = []
+    for pair, both in zip(pairwise(framed), pairwise(names), strict=True):
+        prepared = prepare(*pair, options, names=both, observe=observe)
+        titled = replace(prepared, movement=replace(prepared.movement, title=title))
+        legs.append(Morph(titled, method))
+    return Chain(tuple(legs), names, read[0] is read[-1])
+
+
+def _key(source: Source) -> str | int:
+    """The same for the same drawing."""
+    return id(source) if isinstance(source, Drawing) else str(Path(source).absolute())
+
+
+def _in_frame(drawing: Drawing, first: Drawing, fit: Fit) -> Drawing:
+    """The drawing as it is to be seen in the frame of the first, whose own place is kept."""
+    if drawing is first:
+        return first
+    return replace(drawing.transformed(fit_matrix(first, drawing, fit)), box=first.box)
 
 
 def _pin(given: Iterable[float]) -> Pin:
@@ -219,7 +290,7 @@ def _pin(given: Iterable[float]) -> Pin:
     return ax, ay, bx, by
 
 
-def opened(source: Source, pictures: bool = False) -> Drawing:
+def _opened(source: Source, pictures: bool = False) -> Drawing:
     """The drawing, read from its file if need be, with patterns and pictures or without."""
     if isinstance(source, Drawing):
         return source
@@ -228,6 +299,6 @@ def opened(source: Source, pictures: bool = False) -> Drawing:
     return read_svg(files.read_bytes(path), str(source), pictures=beside)
 
 
-def name_of(source: Source, default: str) -> str:
+def _name_of(source: Source, default: str) -> str:
     """What messages call a drawing: its file, or some other name."""
     return default if isinstance(source, Drawing) else str(source)

@@ -132,12 +132,6 @@ def test_options_that_are_none_are_refused(options: dict[str, Any], says: str) -
         st.morph(lines, lines, **options)
 
 
-def test_only_svg_is_written(moved: st.Morph, tmp_path: Path) -> None:
-    with pytest.raises(OptionError, match=r"out\.webp: a movement is written as \.svg$"):
-        moved.write(tmp_path / "out.webp")
-    assert not list(tmp_path.iterdir())
-
-
 def test_what_a_prompt_shows_is_short(moved: st.Morph) -> None:
     assert repr(moved) == "Morph(method='projective')"
     assert len(repr(moved.at(0.5))) < 200

@@ -17,9 +17,6 @@ from shapetween.base.version import installed_version
 
 __all__ = ["Made", "Task", "Unmade", "make"]
 
-#: Options that are told to the writer; all others are told to the pipeline.
-WRITING = frozenset({"duration", "easing", "loop", "hold", "keyframes", "precision"})
-
 
 @dataclass(frozen=True, slots=True)
 class Task:
@@ -83,6 +80,7 @@ def make(task: Task) -> Made | Unmade:
 
 def _made(task: Task) -> Made:
     from shapetween.api import Morph
+    from shapetween.formats.options import write_names
     from shapetween.mesh.file import load_meshes
     from shapetween.pipeline import Options, prepare
     from shapetween.svg.read.reader import read_svg
@@ -95,8 +93,8 @@ def _made(task: Task) -> Made:
         yield
         seconds[stage] = seconds.get(stage, 0.0) + time.perf_counter() - start
 
-    given = {key: value for key, value in task.options.items() if key not in WRITING}
-    writing = {key: value for key, value in task.options.items() if key in WRITING}
+    writing = {name: task.options[name] for name in write_names() if name in task.options}
+    given = {name: value for name, value in task.options.items() if name not in writing}
     meshes = load_meshes(task.mesh, task.names[2]) if task.mesh is not None else []
     options = Options(meshes=tuple(meshes), **given)
     with timed("read"):

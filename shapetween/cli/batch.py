@@ -16,6 +16,7 @@ from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
 from shapetween.cli.told import wrote
 from shapetween.cli.values import PATH, Whole
+from shapetween.timing import defaults
 
 __all__ = ["batch"]
 
@@ -202,7 +203,7 @@ def _reader(param: click.Parameter) -> Callable[[str], Any]:
 
 
 def _check_easing(name: str) -> None:
-    if name == "linear":  # known good, without what it takes to know the others
+    if name == defaults.EASING:  # known good, without what it takes to know the others
         return
     from shapetween.timing.easing import easing_function
 

@@ -32,6 +32,7 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
     First comes --method where folds are prevented, then every method by itself. All share one
     matching and one mesh. A method that fails is shown with the reason in its place.
     """
+    from shapetween.formats.table import Written
     from shapetween.io import files
 
     path = out or Path(f"{a.stem}-to-{b.stem}-compared.html")
@@ -47,4 +48,4 @@ def compare(a: Path, b: Path, out: Path | None, duration: float, common: Common)
                 text = result.svg(duration=duration)
             else:
                 text = result.html()
-        common.finish(result.morph, path, text, run)
+        common.finish(result.morph, path, Written(text), run)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapetween.base.errors import OptionError
-from shapetween.cli.film import DEFAULT_FPS, MOST_FRAMES, counted, workers
 from shapetween.cli.options import (
     QUIET,
     A,
@@ -22,15 +21,13 @@ from shapetween.cli.options import (
 from shapetween.cli.told import warn, wrote
 from shapetween.cli.values import PATH, Real, Size, Whole
 from shapetween.io.progress import Progress
+from shapetween.timing.defaults import DURATION, FPS, MOST_FRAMES
 
 if TYPE_CHECKING:
     from shapetween.photo.quads import PictureQuad
     from shapetween.raster.picture import Picture
 
 __all__ = ["draw_over", "image"]
-
-#: Seconds, where neither these nor the number of frames are asked for.
-DEFAULT_DURATION = 2.0
 
 
 @click.command(
@@ -154,6 +151,7 @@ def image(
             from shapetween.photo.transition import SLIP_TOLERANCE, Transition
             from shapetween.raster import load
             from shapetween.raster.encode import Clock, writer_for
+            from shapetween.raster.streams import counted, workers
 
             write = writer_for(out)
         megapixels = settings["max_megapixels"] or load.DEFAULT_MEGAPIXELS
@@ -249,12 +247,12 @@ def _timing(count: int | None, fps: float | None, duration: float | None) -> tup
     if count is not None and fps is not None and duration is not None:
         raise OptionError("--frames, --fps and --duration: expected at most two of the three")
     if count is None:
-        fps = fps or DEFAULT_FPS
-        count = max(2, round(fps * (duration or DEFAULT_DURATION)))
+        fps = fps or FPS
+        count = max(2, round(fps * (duration or DURATION)))
         if count > MOST_FRAMES:
             raise OptionError(f"--fps and --duration: {count} frames; expected {MOST_FRAMES}")
     elif fps is None:
-        fps = count / duration if duration else DEFAULT_FPS
+        fps = count / duration if duration else FPS
     return count, fps
 
 

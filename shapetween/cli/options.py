@@ -14,10 +14,12 @@ from shapetween.base.errors import MeshError, OptionError
 from shapetween.cli.told import warn, wrote
 from shapetween.cli.values import PATH, Match, Name, Pin, Real, Whole
 from shapetween.io.progress import Progress
+from shapetween.timing import defaults
 
 if TYPE_CHECKING:
     from shapetween.api import Morph
-    from shapetween.chains import Chain
+    from shapetween.formats.moving import Moving
+    from shapetween.formats.table import Written
 
 __all__ = [
     "METHOD_NAMES",
@@ -37,9 +39,6 @@ __all__ = [
 Option: TypeAlias = Callable[[Callable[..., None]], Callable[..., None]]
 """Adds an option to a command."""
 
-Content: TypeAlias = str | list[str] | Callable[[Path], None]
-"""What is written: the text of a file, those of frames, or what writes a file by itself."""
-
 #: `shapetween.interpolate.METHODS` by name, without importing it.
 METHOD_NAMES = ("projective", "projective-2007", "arap", "arap-2000", "linear")
 
@@ -58,14 +57,14 @@ def duration_option(told: str) -> Option:
     return click.option(
         "--duration",
         type=Real(0.001, 86_400),
-        default=2.0,
+        default=defaults.DURATION,
         show_default=True,
         metavar="SECONDS",
         help=told,
     )
 
 
-def easing_option(default: str = "linear") -> Option:
+def easing_option(default: str = defaults.EASING) -> Option:
     """How evenly time goes by."""
     return click.option(
         "--easing",
@@ -116,7 +115,7 @@ class Common:
 
     def prepare_all(
         self, drawings: Sequence[Path], out: Path, progress: Progress, *, pictures: bool = False
-    ) -> "Morph | Chain":
+    ) -> "Moving":
         """Check the places to write to, then prepare the movement through two or more drawings."""
         if len(drawings) == 2:
             return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
@@ -129,7 +128,7 @@ class Common:
                 )
         self.check_places(drawings, out)
         with progress("import"):
-            from shapetween.chains import chain
+            from shapetween.api import chain
         return chain(drawings, pictures=pictures, observe=progress, **self._for_any_pair())
 
     def prepare(
@@ -173,32 +172,28 @@ class Common:
 
     def finish(
         self,
-        result: "Morph | Chain",
+        result: "Moving",
         out: Path,
-        content: Content,
+        made: "Written",
         run: Progress,
-        said: Sequence[str] = (),
     ) -> None:
         """Write the output, and the report if one is wanted, and say what there is to say."""
+        from shapetween.formats.table import put
         from shapetween.io import files
 
         with run("check"):
             report = result.report()
+        report["warnings"] += made.warnings
         report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
         with ExitStack() as stack:  # the report appears only once the output has been written
             if self.report is not None:
                 fresh = stack.enter_context(files.fresh_file(self.report))
                 fresh.write_text(json.dumps(report, indent=1) + "\n", "utf-8", newline="\n")
-            if isinstance(content, str):
-                files.write_text(out, content)
-            elif isinstance(content, list):
-                files.write_frames(out, content)
-            else:
-                content(out)
+            put(out, made.content)
         run.close()
         if self.quiet:
             return
-        warn((*result.warnings, *said))
+        warn((*result.warnings, *made.warnings))
         if self.verbose:
             click.echo(json.dumps(report, indent=1), err=True)
         wrote(out)

@@ -1,12 +1,11 @@
 """Commands on drawings: an animated SVG, frames, the mesh."""
 
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import click
 
 from shapetween.base.errors import OptionError
-from shapetween.cli.film import PICTURES, moving_pictures, still_pictures
 from shapetween.cli.options import (
     A,
     B,
@@ -88,44 +87,27 @@ def morph(
     more: tuple[Path, ...],
     out: Path | None,
     common: Common,
-    keyframes: int | Literal["auto"],
-    precision: int | None,
-    fps: float | None,
-    size: tuple[int, ...] | None,
-    background: str | None,
     **settings: Any,
 ) -> None:
-    """Write one animated SVG that moves from A to B.
+    """Write a file that moves from A to B: an animated SVG, or another by OUT's ending.
 
-    It plays in every browser, in <img> too, without a script.
+    An SVG plays in every browser, in <img> too, without a script.
 
     With more drawings it goes on from B to C and so forth, all in the frame of A. Name A again at
     the end to close the round; with --loop repeat it then never jumps.
     """
-    from shapetween.io import files
-    from shapetween.timing.easing import easing_function
+    from shapetween.formats.options import write_options
+    from shapetween.formats.table import writer_of
 
-    easing_function(settings["easing"])
     drawings = [a, b, *more]
     path = out or Path(f"{_joined(drawings)}.svg")
-    pictures = files.check_form(path, "a movement", (".svg", *PICTURES)) in PICTURES
-    if pictures:
-        asked = None if keyframes == "auto" else keyframes
-        for_svg = ("--keyframes", asked), ("--precision", precision)
-        _check_vain("is for SVG; expected -o OUT.svg", *for_svg)
-    else:
-        for_pictures = ("--fps", fps), ("--size", size), ("--background", background)
-        _check_vain("is for moving pictures; expected -o OUT.webp or the like", *for_pictures)
+    writer, options = writer_of(path), write_options(settings)
+    writer.check(options)
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare_all(drawings, path, run, pictures=pictures)
-        if pictures:
-            with run("draw"):
-                written, said = moving_pictures(result, path, run, fps, size, background, settings)
-            common.finish(result, path, written, run, said)
-            return
+        result = common.prepare_all(drawings, path, run, pictures=writer.pictures)
         with run("write"):
-            text = result.svg(keyframes=keyframes, precision=precision, **settings)
-        common.finish(result, path, text, run)
+            made = result.written(writer, options, name=path.stem, observe=run)
+        common.finish(result, path, made, run)
 
 
 @click.command(epilog="Example:  shapetween frames cat.svg dog.svg -o frames --frames 48")
@@ -135,7 +117,6 @@ def morph(
 @out_option("DIR", "Folder for frame_0000.svg and so on.  [default: A-to-B]")
 @click.option(
     "--frames",
-    "count",
     type=Whole(2, 100_000),
     default=24,
     show_default=True,
@@ -153,47 +134,33 @@ def frames(
     b: Path,
     more: tuple[Path, ...],
     out: Path | None,
-    count: int,
-    easing: str,
-    precision: int | None,
     png: bool,
-    size: tuple[int, ...] | None,
-    background: str | None,
     common: Common,
+    **settings: Any,
 ) -> None:
     """Write one SVG a frame, the first drawing A and the last drawing B.
 
     With more drawings it goes on from B to C and so forth, all in the frame of A; each is one
     frame. The paths of a frame have the same commands as far as the next drawing.
     """
-    from shapetween.timing.easing import easing_function
+    from shapetween.formats.options import write_options
+    from shapetween.formats.table import FRAMES, WRITERS
 
-    easing_function(easing)
-    if png:
-        _check_vain("is for SVG; expected no --png with it", ("--precision", precision))
-    else:
-        for_pictures = ("--size", size), ("--background", background)
-        _check_vain("is for frames as pictures; expected --png with it", *for_pictures)
+    writer, options = FRAMES[".png" if png else ".svg"], write_options(settings)
+    writer.check(options)
     drawings = [a, b, *more]
     folder = out or Path(_joined(drawings))
-    a_file = folder.exists() or folder.suffix.lower() in (".svg", *PICTURES)
+    a_file = folder.exists() or folder.suffix.lower() in WRITERS
     if a_file and not folder.is_dir():
         raise OptionError(
             f"{folder}: frames are written into a folder; expected the name of one, or "
             "'shapetween morph' for one file"
         )
     with Progress(quiet=common.quiet) as run:
-        result = common.prepare_all(drawings, folder, run, pictures=png)
-        if png:
-            with run("draw"):
-                written, said = still_pictures(result, run, count, easing, size, background)
-            common.finish(result, folder, written, run, said)
-            return
+        result = common.prepare_all(drawings, folder, run, pictures=writer.pictures)
         with run("write"):
-            from shapetween.svg.write.sequence import frame_svg
-
-            texts = [frame_svg(frame, precision) for frame in result.frames(count, easing)]
-        common.finish(result, folder, texts, run)
+            made = result.written(writer, options, name=folder.stem, observe=run)
+        common.finish(result, folder, made, run)
 
 
 @click.command(epilog="Example:  shapetween mesh cat.svg dog.svg -o cat-to-dog-mesh.svg")
@@ -231,6 +198,7 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
         raise OptionError("--over: expected quads or a mesh in one JSON file, or two SVGs")
     if b is None:
         raise click.UsageError("Missing argument 'B'.")
+    from shapetween.formats.table import Written
     from shapetween.io import files
 
     path = out or Path(f"{a.stem}-to-{b.stem}-mesh.svg")
@@ -239,7 +207,7 @@ def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], comm
         result = common.prepare(a, b, path, run)
         with run("write"):
             text = result.mesh_json() if as_json else result.mesh_svg((a.name, b.name))
-        common.finish(result, path, text, run)
+        common.finish(result, path, Written(text), run)
 
 
 def _check_vain(reason: str, *options: tuple[str, object]) -> None:

@@ -7,12 +7,11 @@ from typing import Any
 
 import click
 
-__all__ = ["MOST_KEYFRAMES", "PATH", "Keyframes", "Match", "Name", "Pin", "Real", "Size", "Whole"]
+from shapetween.timing.defaults import MOST_KEYFRAMES
+
+__all__ = ["PATH", "Keyframes", "Match", "Name", "Pin", "Real", "Size", "Whole"]
 
 PATH = click.Path(path_type=Path)
-
-#: `shapetween.svg.write.smil.MOST_KEYFRAMES`, without importing it.
-MOST_KEYFRAMES = 1000
 
 
 class Real(click.FloatRange):

@@ -14,7 +14,8 @@ from shapetween.svg.write.animate import Clock, animate
 from shapetween.svg.write.elements import GradientDefs, add_shape, document, text_of
 from shapetween.svg.write.numbers import decimals_for, number
 from shapetween.svg.write.smil import add_part
-from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
+from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Timeline
 
 __all__ = ["film_strip", "playing", "seen_box", "side_by_side"]

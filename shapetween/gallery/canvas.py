@@ -11,7 +11,7 @@ from shapetween.model.drawing import Box
 from shapetween.svg.write.animate import Clock, animate
 from shapetween.svg.write.elements import document, text_of
 from shapetween.svg.write.numbers import number
-from shapetween.timing.easing import Schedule
+from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Timeline
 
 __all__ = ["FAINT", "INK", "Canvas", "Panel", "checkerboard"]

@@ -17,7 +17,7 @@ from shapetween.io.jsonfile import parse
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
 from shapetween.model.fit import inverted, mapped
-from shapetween.model.paint import Colour, Style
+from shapetween.model.paint import Style
 from shapetween.model.srgb import srgb_to_linear
 from shapetween.outline.body import Carried, joined_meshes
 from shapetween.photo.layers import Piece
@@ -269,11 +269,10 @@ def _filled(drawing: Drawing) -> Drawing:
 
 def light_of_colour(text: str) -> tuple[float, float, float, float] | None:
     """Linear red, green and blue, and alpha, of a CSS colour; None if it is none."""
-    from shapetween.svg.read.colours import parse_paint
+    from shapetween.svg.read.colours import plain_colour
 
-    value = parse_paint(text)
-    if value is None or value.reference or not isinstance(value.colour, Colour):
+    colour = plain_colour(text)
+    if colour is None:
         return None
-    colour = value.colour
     red, green, blue = srgb_to_linear(np.array([colour.red, colour.green, colour.blue])).tolist()
     return red, green, blue, colour.alpha

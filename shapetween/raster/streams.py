@@ -1,13 +1,18 @@
 """Frames drawn a few at a time and handed on in order."""
 
+import os
 from collections import deque
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import TypeVar
 
+from shapetween.base.observe import Observer
 from shapetween.raster.light import Bytes
 
-__all__ = ["in_order"]
+__all__ = ["counted", "in_order", "workers"]
+
+#: Frames drawn at the same time, at most: each needs memory of its own.
+MOST_WORKERS = 4
 
 ItemT = TypeVar("ItemT")
 
@@ -36,3 +41,15 @@ def in_order(
         finally:
             for future in waiting:
                 future.cancel()
+
+
+def workers() -> int:
+    """How many frames to draw at once."""
+    return min(MOST_WORKERS, os.cpu_count() or 1)
+
+
+def counted(frames: Iterable[Bytes], count: int, observe: Observer) -> Iterator[Bytes]:
+    """Frames, while an observer is told which one it is at."""
+    for k, frame in enumerate(frames):
+        with observe(f"frame {k + 1} of {count}"):
+            yield frame

@@ -5,14 +5,19 @@ step wherever a player is moved to. What belongs to one movement of the row, a l
 passages through that clock.
 """
 
+import math
 from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 from shapetween.base.arrays import Floats
+from shapetween.base.errors import OptionError
 
 __all__ = ["Loop", "Passage", "Timeline"]
 
 Loop: TypeAlias = Literal["once", "repeat", "alternate"]
+
+#: Seconds of the shortest way: a shorter one is over before any screen shows it.
+SHORTEST = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +62,11 @@ class Timeline:
         How many movements follow each other.
     closed : bool
         Whether the last drawing is the first: starting over with it, they are one rest.
+
+    Raises
+    ------
+    OptionError
+        If a time or the loop is none.
     """
 
     duration: float
@@ -64,6 +74,15 @@ class Timeline:
     hold: float = 0.0
     legs: int = 1
     closed: bool = False
+
+    def __post_init__(self) -> None:
+        """Check what an option may have asked for."""
+        if not (math.isfinite(self.duration) and self.duration >= SHORTEST):
+            raise OptionError(f"duration {self.duration}: expected seconds, at least {SHORTEST}")
+        if not (math.isfinite(self.hold) and self.hold >= 0):
+            raise OptionError(f"hold {self.hold}: expected seconds, 0 or more")
+        if self.loop not in get_args(Loop):
+            raise OptionError(f"loop {self.loop!r}: expected {', '.join(get_args(Loop))}")
 
     @property
     def seconds(self) -> float:
@@ -79,6 +98,24 @@ class Timeline:
         if self.loop != "alternate":
             return (there,)
         return there, self._passage(2 * self.legs - 1 - leg, back=True)
+
+    def shown(self, seconds: float) -> tuple[int, float]:
+        """What a moment shows, from 0 to `seconds`: a leg, and its time on an even clock.
+
+        Once, the last drawing stays; else, before the whole starts over, it is still there.
+        """
+        place = min(int(seconds // self._step), len(self._order) - 1)
+        leg, back = self._order[place]
+        share = (seconds - place * self._step - self.hold) / self.duration
+        share = min(max(share, 0.0), 1.0)
+        return leg, 1.0 - share if back else share
+
+    @property
+    def _order(self) -> list[tuple[int, bool]]:
+        """The legs in the order they are played, and whether backwards."""
+        there = [(leg, False) for leg in range(self.legs)]
+        back = [(leg, True) for leg in reversed(range(self.legs))]
+        return there + back if self.loop == "alternate" else there
 
     @property
     def _step(self) -> float:

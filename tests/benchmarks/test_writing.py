@@ -11,7 +11,8 @@ from shapetween.model.paint import Colour, Style
 from shapetween.svg.write.numbers import path_data
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
-from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule, keyframes
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE, keyframes
+from shapetween.timing.schedule import Schedule
 from tests.movements import FormulaPart, spin
 
 BOX = Box(0, 0, 100, 100)

@@ -109,9 +109,18 @@ def test_drawings_that_cannot_be_used(run: Command, tmp_path: Path, name: str, s
         ("gallery -o a.svg", "a.svg: is a file; expected a folder"),
         # Options that contradict each other, or would change nothing.
         ("morph a.svg b.svg -q -v", "--quiet and --verbose"),
-        ("morph a.svg b.svg -o x.gif --keyframes 4", "--keyframes: is for SVG"),
-        ("morph a.svg b.svg -o x.gif --precision 4", "--precision: is for SVG"),
-        ("frames a.svg b.svg --png --precision 4", "--precision: is for SVG"),
+        (
+            "morph a.svg b.svg -o x.gif --keyframes 4",
+            "keyframes: changes nothing in moving",
+        ),
+        (
+            "morph a.svg b.svg -o x.gif --precision 4",
+            "precision: changes nothing in moving",
+        ),
+        (
+            "frames a.svg b.svg --png --precision 4",
+            "precision: changes nothing in frames",
+        ),
         ("mesh a.svg b.svg --over a.png --report x.json", "--report: changes nothing"),
         ("mesh q.json --over a.png --pin 1,1:1,1", "--pin: changes nothing"),
         # Meshes.
@@ -197,5 +206,5 @@ def test_what_fails_late_writes_nothing(run: Command, monkeypatch: pytest.Monkey
     def failing(*_: object, **__: object) -> str:
         raise OptionError("cannot go on")
 
-    monkeypatch.setattr("shapetween.svg.write.smil.smil_svg", failing)
+    monkeypatch.setattr("shapetween.formats.svg.smil_svg", failing)
     assert_refused(run, "morph a.svg b.svg --report report.json", "cannot go on")

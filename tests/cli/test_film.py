@@ -38,9 +38,12 @@ def test_frames_as_png(run: Command, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "told"),
     [
-        ("morph a.svg b.svg --size 40", "--size: is for moving pictures"),
-        ("morph a.svg b.svg -o x.svg --fps 4", "--fps: is for moving pictures"),
-        ("frames a.svg b.svg --size 40", "--size: is for frames as pictures"),
+        (
+            "morph a.svg b.svg --size 40",
+            "size: changes nothing in an animated SVG; it is ",
+        ),
+        ("morph a.svg b.svg -o x.svg --fps 4", "fps: changes nothing in an animated SVG"),
+        ("frames a.svg b.svg --size 40", "size: changes nothing in frames as SVG; it is for .png"),
         ("morph a.svg b.svg -o x.gif --fps 90", "GIF plays at most 50"),
         ("morph a.svg b.svg -o x.webp --background lilac-ish", "expected a colour such as #fff"),
         ("morph a.svg b.svg -o x.webp --size 99999", "expected at most 64 megapixels"),

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 import pytest
 
-from shapetween.cli import options, values
+from shapetween.cli import options
 from tests.cli.commands import Command, svg
 
 
@@ -115,10 +115,8 @@ def test_compressed_drawings_are_read(run: Command, tmp_path: Path) -> None:
 
 def test_what_is_repeated_here_without_importing_it_is_the_same() -> None:
     from shapetween.interpolate import METHODS
-    from shapetween.svg.write import smil
 
     assert set(options.METHOD_NAMES) == set(METHODS)
-    assert values.MOST_KEYFRAMES == smil.MOST_KEYFRAMES
 
 
 def test_a_drawing_goes_through_a_pipe(tmp_path: Path, run: Command) -> None:

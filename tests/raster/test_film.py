@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shapetween.api import morph
+from shapetween.api import chain, morph
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import InputError
-from shapetween.chains import chain
 from shapetween.model.paint import Colour
 from shapetween.raster.film import Film, frame_size
 from shapetween.raster.light import Bytes

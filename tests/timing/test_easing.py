@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
-from shapetween.timing.easing import EASINGS, Schedule, easing_function, even_times, keyframes
+from shapetween.timing.easing import EASINGS, easing_function, even_times
+from shapetween.timing.keyframes import keyframes
+from shapetween.timing.schedule import Schedule
 
 unit = st.floats(0, 1)
 

@@ -69,3 +69,24 @@ def test_moments_of_a_passage_come_in_order() -> None:
     there, back = Timeline(1.0, "alternate").passages(0)
     np.testing.assert_allclose(there.at(clock), [0, 0.125, 0.5])
     np.testing.assert_allclose(back.at(clock), [0.5, 0.875, 1.0])
+
+
+@given(timelines, st.floats(0, 1))
+def test_what_a_moment_shows_is_in_the_passage_of_that_moment(
+    timeline: Timeline, share: float
+) -> None:
+    leg, clock = timeline.shown(share * timeline.seconds)
+    shown = [p for p in timeline.passages(leg) if p.shown - 1e-9 <= share <= p.until + 1e-9]
+    assert shown, "the leg is not to be seen then"
+    clocks = [np.clip((share - p.start) / (p.end - p.start), 0, 1) for p in shown]
+    assert any(
+        abs((1 - c if p.back else c) - clock) < 1e-6 for p, c in zip(shown, clocks, strict=True)
+    )
+
+
+def test_whole_numbers_of_frames_meet_every_end_exactly() -> None:
+    plan = Timeline(59.0, "alternate", 3.0, 3)
+    shown = [plan.shown(float(k)) for k in range(round(plan.seconds))]
+    assert {clock for _, clock in shown if clock in (0, 1)} == {0, 1}
+    assert shown[3 + 59] == (1, 0.0)
+    assert sum(clock in (0, 1) for _, clock in shown) == 6 * 4

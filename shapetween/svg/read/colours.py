@@ -14,7 +14,7 @@ import tinycss2.color4
 from shapetween.model.paint import Colour
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
 
-__all__ = ["CURRENT", "PaintValue", "parse_paint"]
+__all__ = ["CURRENT", "PaintValue", "parse_paint", "plain_colour"]
 
 CURRENT = "currentcolor"
 
@@ -138,3 +138,11 @@ def _srgb(colour: Any) -> Colour:
         components = colour.to("srgb").coordinates
     red, green, blue = (min(1.0, max(0.0, float(component))) for component in components)
     return Colour(red, green, blue, colour.alpha)
+
+
+def plain_colour(text: str) -> Colour | None:
+    """The colour that a text names by itself, None if it is none."""
+    value = parse_paint(text)
+    if value is None or value.reference or not isinstance(value.colour, Colour):
+        return None
+    return value.colour

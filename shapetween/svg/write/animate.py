@@ -13,7 +13,9 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.svg.write.numbers import number
-from shapetween.timing.easing import LINEAR, Schedule, keyframes
+from shapetween.timing.easing import LINEAR
+from shapetween.timing.keyframes import keyframes
+from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Passage, Timeline
 
 __all__ = [

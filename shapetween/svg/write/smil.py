@@ -5,14 +5,12 @@ first frame: that is what each path holds at rest. A reader who asks for less mo
 first frame too, as a twin of the drawing that stands still.
 """
 
-import math
 import xml.etree.ElementTree as ET
 from dataclasses import replace
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 
-from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Shape
 from shapetween.model.movement import Movement, Part
 from shapetween.model.tracks import style_tracks
@@ -20,7 +18,9 @@ from shapetween.svg.write.animate import Clock, animate, animate_shown
 from shapetween.svg.write.animate_style import animate_style
 from shapetween.svg.write.elements import GradientDefs, add_shape, document, named, text_of
 from shapetween.svg.write.numbers import decimals_of, path_data
-from shapetween.timing.easing import KEYFRAME_TOLERANCE, Schedule
+from shapetween.timing import defaults
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
+from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Loop, Timeline
 
 __all__ = ["add_part", "smil_svg"]
@@ -40,10 +40,6 @@ PAINT_STRIDE = 4
 #: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
 MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
 
-#: Most keyframes that may be asked for: sixty a second for a quarter of a minute. Many more are a
-#: slip of the hand, and fill the memory.
-MOST_KEYFRAMES = 1000
-
 #: Curves of all samples that are held at once, and the strides of samples that may be left out for
 #: it: parts of the steps on which keyframes may lie.
 MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
@@ -55,8 +51,8 @@ INSIDE = (1e-6, 1 - 1e-6)
 
 def smil_svg(
     *legs: Movement,
-    duration: float = 2.0,
-    easing: str = "linear",
+    duration: float = defaults.DURATION,
+    easing: str = defaults.EASING,
     loop: Loop = "once",
     hold: float = 0.0,
     closed: bool = False,
@@ -93,7 +89,7 @@ def smil_svg(
     OptionError
         If an option cannot be used; the message says what could.
     """
-    clock = _clock(_timeline(duration, loop, hold, len(legs), closed=closed), easing, keyframes)
+    clock = _clock(Timeline(duration, loop, hold, len(legs), closed), easing, keyframes)
     first = legs[0]
     tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
     ends = [drawing for leg in legs for drawing in leg.at(np.array([0.0, 1.0]))]
@@ -131,23 +127,10 @@ def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
     return group
 
 
-def _timeline(duration: float, loop: Loop, hold: float, legs: int, *, closed: bool) -> Timeline:
-    """The plan the options ask for."""
-    if not (math.isfinite(duration) and duration >= 1e-3):
-        raise OptionError(f"duration {duration}: expected seconds, at least 0.001")
-    if not (math.isfinite(hold) and hold >= 0):
-        raise OptionError(f"hold {hold}: expected seconds, 0 or more")
-    if loop not in get_args(Loop):
-        raise OptionError(f"loop {loop!r}: expected {', '.join(get_args(Loop))}")
-    return Timeline(duration, loop, hold, legs, closed)
-
-
 def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
     """The clock the options ask for, of the first leg."""
     if keyframes == "auto":
         return Clock(Schedule.of(easing), True, timeline)
-    if not 2 <= keyframes <= MOST_KEYFRAMES:
-        raise OptionError(f"{keyframes} keyframes: expected 'auto', or from 2 to {MOST_KEYFRAMES}")
     return Clock(Schedule.of(easing, keyframes), False, timeline)
 
 

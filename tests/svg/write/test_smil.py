@@ -12,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats, Index
-from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Stop, Style
@@ -263,24 +262,6 @@ def test_fixed_keyframes_are_even() -> None:
     )
     assert times.tolist() == [0, 0.25, 0.5, 0.75, 1]
     assert len(values) == 5
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"duration": 0.0}, "duration 0.0: expected seconds"),
-        ({"duration": float("nan")}, "expected seconds"),
-        ({"loop": "forever"}, "expected once, repeat, alternate"),
-        ({"hold": -0.1}, "hold -0.1: expected seconds"),
-        ({"hold": float("inf")}, "hold inf: expected seconds"),
-        ({"keyframes": 1}, "1 keyframes: expected 'auto', or from 2 to 1000"),
-        ({"easing": "bouncy"}, "easing 'bouncy'"),
-        ({"precision": 99}, "precision 99"),
-    ],
-)
-def test_options_that_cannot_be_used_are_refused(options: dict[str, object], message: str) -> None:
-    with pytest.raises(OptionError, match=re.escape(message)):
-        smil_svg(sample_movement(), **options)  # type: ignore[arg-type]
 
 
 def test_styles_that_change_kind_take_turns() -> None:

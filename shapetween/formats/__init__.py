@@ -1,0 +1,1 @@
+"""Output formats: a movement to the file of an ending, by one table of writers."""

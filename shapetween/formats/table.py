@@ -1,0 +1,187 @@
+"""The table of writers: what writes a file of which ending, and which options it has a use for.
+
+A writer is a pure function of a `Segments` and `WriteOptions` to what is `Written`; it opens no
+file. To add a format, write a module here with such a function, and put it into `WRITERS`.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from types import MappingProxyType
+from typing import Protocol, TypeAlias
+
+from shapetween.base.errors import OptionError
+from shapetween.base.observe import Observer, unobserved
+from shapetween.formats.options import WriteOptions
+from shapetween.io import files
+from shapetween.model.movement import Movement
+
+__all__ = [
+    "FRAMES",
+    "WRITERS",
+    "Content",
+    "Segments",
+    "Writer",
+    "WriterFunction",
+    "Written",
+    "put",
+    "writer_of",
+]
+
+Content: TypeAlias = str | bytes | Callable[[Path], None]
+"""A file's text or bytes; or what writes it as it comes, where that is too much to be held."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Segments:
+    """What is written: movements that follow each other, often a single one.
+
+    Attributes
+    ----------
+    movements : tuple of Movement
+        Each starts with the drawing that the one before ends with, all in the box and under the
+        title of the first.
+    closed : bool
+        Whether the last drawing is the first one again.
+    name : str
+        What the format may call it inside the file: the stem of the file's name.
+    warnings : tuple of str
+        What was lost or is doubtful in it, for formats that show such things.
+    """
+
+    movements: tuple[Movement, ...]
+    closed: bool = False
+    name: str = "morph"
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Written:
+    """What a writer has made, and what of the movement its format could not hold."""
+
+    content: Content
+    warnings: tuple[str, ...] = ()
+
+
+class WriterFunction(Protocol):
+    """Makes a file's content."""
+
+    def __call__(
+        self, segments: Segments, options: WriteOptions, observe: Observer = unobserved
+    ) -> Written:
+        """Write `segments`, telling `observe` of long stages."""
+
+
+@dataclass(frozen=True, slots=True)
+class Writer:
+    """One format.
+
+    Attributes
+    ----------
+    ending : str
+        Of its files.
+    what : str
+        What such a file is, for messages.
+    home : str
+        Where its function is, ``module:name``, imported when it is used.
+    takes : tuple of str
+        Names of the options that it has a use for.
+    pictures : bool
+        Whether it keeps patterns and pictures in shapes.
+    """
+
+    ending: str
+    what: str
+    home: str
+    takes: tuple[str, ...]
+    pictures: bool = False
+
+    def check(self, options: WriteOptions) -> None:
+        """Check that every option asked for has an effect.
+
+        Raises
+        ------
+        OptionError
+            If one has none, naming the endings that would take it.
+        """
+        alike = FRAMES if FRAMES.get(self.ending) is self else WRITERS
+        for name in options.asked:
+            if name not in self.takes:
+                others = [other.ending for other in alike.values() if name in other.takes]
+                hint = f"; it is for {', '.join(others)}" if others else ""
+                raise OptionError(f"{name}: changes nothing in {self.what}{hint}")
+
+    def write(
+        self, segments: Segments, options: WriteOptions, observe: Observer = unobserved
+    ) -> Written:
+        """Make the file's content.
+
+        Raises
+        ------
+        OptionError
+            If an option has no effect here, or cannot be used.
+        """
+        self.check(options)
+        module, name = self.home.split(":")
+        function: WriterFunction = getattr(import_module(module), name)
+        return function(segments, options, observe)
+
+
+_TIMING = ("duration", "easing", "loop", "hold")
+_FILM = (*_TIMING, "fps", "size", "background")
+
+
+def _writers() -> Iterator[Writer]:
+    """Every format, in the order in which they are told of."""
+    svg = "shapetween.formats.svg:animated"
+    yield Writer(".svg", "an animated SVG", svg, (*_TIMING, "keyframes", "precision"))
+    for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
+        home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
+        yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
+
+
+WRITERS: Mapping[str, Writer] = MappingProxyType({writer.ending: writer for writer in _writers()})
+"""What writes a file of that ending."""
+
+FRAMES: Mapping[str, Writer] = MappingProxyType(
+    {
+        ".svg": Writer(
+            ".svg",
+            "frames as SVG",
+            "shapetween.formats.svg:frames",
+            ("easing", "precision", "frames"),
+        ),
+        ".png": Writer(
+            ".png",
+            "frames as PNG",
+            "shapetween.formats.pictures:frames",
+            ("easing", "size", "background", "frames"),
+            pictures=True,
+        ),
+    }
+)
+"""What writes a folder of frames of that ending."""
+
+
+def writer_of(path: Path) -> Writer:
+    """The writer for an output's name; a pipe or a device without a known ending is given SVG.
+
+    Raises
+    ------
+    OptionError
+        If its ending is none that is written, or a folder has that name.
+    """
+    form = files.check_form(path, "a movement", tuple(WRITERS))
+    return WRITERS.get(form, WRITERS[".svg"])
+
+
+def put(path: Path, content: Content) -> None:
+    """Write a content to its place, whole or not at all."""
+    if isinstance(content, str):
+        files.write_text(path, content)
+    elif isinstance(content, bytes):
+        with files.fresh_file(path) as fresh:
+            fresh.write_bytes(content)
+    else:
+        content(path)

@@ -1,0 +1,30 @@
+"""The command line and the library write in one way."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import shapetween as st
+from shapetween.formats.table import WRITERS
+from tests.cli.commands import Command
+
+
+@pytest.mark.parametrize("ending", sorted(WRITERS))
+def test_python_writes_what_the_command_line_does(
+    ending: str, run: Command, tmp_path: Path
+) -> None:
+    """Byte for byte, by every ending."""
+    if WRITERS[ending].pictures:
+        pytest.importorskip("resvg_py")
+    if ending == ".mp4":
+        pytest.importorskip("imageio_ffmpeg")
+    line = f"morph a.svg b.svg -o line{ending} --duration .3 --loop repeat"
+    result = run(line + (" --size 32 --fps 10" if WRITERS[ending].pictures else ""))
+    assert result.code == 0, result.err
+    moved = st.morph(tmp_path / "a.svg", tmp_path / "b.svg", pictures=WRITERS[ending].pictures)
+    more: dict[str, Any] = {"size": (32,), "fps": 10.0} if WRITERS[ending].pictures else {}
+    told = moved.write(tmp_path / f"python{ending}", duration=0.3, loop="repeat", **more)
+    assert told == ()
+    here, there = (tmp_path / f"{name}{ending}" for name in ("python", "line"))
+    assert here.read_bytes() == there.read_bytes()
