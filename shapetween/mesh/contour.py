@@ -16,6 +16,16 @@ __all__ = ["Contours", "arc_waste", "left_out", "outside_lengths", "settled"]
 #: smaller, and symmetric shapes get another mesh when they are turned.
 STEP = 2.0**-30
 
+#: Step to which the mean squared distance of an arc from its chord is rounded before its root is
+#: taken: sums over a straight arc leave 1e-14 of nothing, whose root would show. Larger, and
+#: shallow bends count as straight; smaller, and what straight sides cost is noise.
+SQUARED_STEP = 2.0**-40
+
+#: Twice the area by which a corner of samples may turn and still count as straight. Larger, and
+#: chords pass outside at shallow bends; smaller, and rounding says on which side of a straight
+#: outline a chord between two of its samples runs.
+STRAIGHT = 2.0**-33
+
 #: Samples, about, that chords are tested against. More take longer; with fewer, thin slits close.
 SIGHT = 256
 
@@ -72,13 +82,13 @@ class Contours:
         return int(self.points.shape[1])
 
 
-def settled(values: Floats) -> Floats:
+def settled(values: Floats, step: float = STEP) -> Floats:
     """Round to a fixed step, so that what is equal but for rounding is equal.
 
     Between equals the first is taken then, whatever the unit and turn of the shapes. Sums of such
     numbers are exact.
     """
-    return np.asarray(np.round(values / STEP) * STEP)
+    return np.asarray(np.round(values / step) * step)
 
 
 def arc_waste(contours: Contours, first: Index, last: Index) -> Floats:
@@ -113,7 +123,7 @@ def arc_waste(contours: Contours, first: Index, last: Index) -> Floats:
         - 2 * offset * (nx * sx + ny * sy)
         + offset * offset * length
     )
-    return np.asarray(np.sqrt(np.maximum(squared, 0) * length))
+    return np.asarray(np.sqrt(np.maximum(settled(squared * length, SQUARED_STEP), 0)))
 
 
 def left_out(contours: Contours, nodes: Index) -> Floats:
@@ -193,22 +203,26 @@ def _inward(ring: Points, nodes: Index, leaning: float) -> Mask:
         size = np.sqrt(x * x + y * y)
         left += leaning * np.hypot(on[:, :1], on[:, 1:]) * size
         right += leaning * np.hypot(back[:, :1], back[:, 1:]) * size
-    convex = cross(on, back)[:, None] >= 0
+    convex = cross(on, back)[:, None] >= -STRAIGHT
     both, either = np.minimum(left, right), np.maximum(left, right)
-    return np.asarray(np.where(convex, both, either) >= 0)
+    return np.asarray(np.where(convex, both, either) >= -STRAIGHT)
 
 
 def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
-    """Length of chords between nodes i and j, both (K,), outside a polygon."""
+    """Length of chords between nodes i and j, both (K,), outside a polygon.
+
+    What lies on a chord's line counts as being on its one side, so that a chord along a straight
+    stretch of the outline runs inside.
+    """
     count, ends = len(ring), ring[nodes]
     x, y = ends[:, :1], ends[:, 1:]
 
     # Which side of each chord's line the samples are on, and of each segment's line the nodes.
     product = x * ring[:, 1] - y * ring[:, 0]
-    least = -product[i, nodes[j]]
+    least = -product[i, nodes[j]] - STRAIGHT
     step = np.roll(ring, -1, axis=0) - ring
     from_segment = step[:, 0] * (y - ring[:, 1]) - step[:, 1] * (x - ring[:, 0])
-    before = from_segment >= 0
+    before = from_segment >= -STRAIGHT
     found = []
     for first in range(0, max(len(i), 1), AT_ONCE):
         some = slice(first, first + AT_ONCE)
