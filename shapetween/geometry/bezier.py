@@ -10,6 +10,8 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Index, Points
 
 __all__ = [
+    "bernstein",
+    "combined",
     "curve_lengths",
     "derivatives",
     "end_tangents",
@@ -45,20 +47,34 @@ def evaluate(curves: Curves, t: Floats) -> Points:
     -------
     (..., K, 2) float64
     """
-    return _bernstein(t) @ curves
+    return combined(bernstein(t), curves)
 
 
-def _bernstein(t: Floats) -> Floats:
+def bernstein(t: Floats) -> Floats:
     """Weights of the four control points at parameters (..., K), (..., K, 4)."""
     s = 1 - t
-    return np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)
+    return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=-1)
+
+
+def combined(weights: Floats, points: Points) -> Points:
+    """Sums of weighted points, (..., K, M) and (..., M, 2) to (..., K, 2).
+
+    Notes
+    -----
+    The product of matrices, added up in one order. A matrix library adds in whichever order suits
+    the processor, and outlines would then differ in their last bit from one machine to the next.
+    """
+    total = weights[..., 0, None] * points[..., None, 0, :]
+    for k in range(1, weights.shape[-1]):
+        total = total + weights[..., k, None] * points[..., None, k, :]
+    return np.asarray(total)
 
 
 def derivatives(curves: Curves, t: Floats) -> Points:
     """Velocities of every curve, with parameters and shapes as for `evaluate`."""
     s = 1 - t
     basis = np.stack([s * s, 2 * s * t, t * t], axis=-1)
-    return np.asarray(basis @ (3 * np.diff(curves, axis=-2)))
+    return combined(basis, 3 * np.diff(curves, axis=-2))
 
 
 def flatten(curves: Curves, pieces: int | Index) -> Points:
@@ -85,7 +101,7 @@ def flatten(curves: Curves, pieces: int | Index) -> Points:
     column = 4 * curve[:, None] + np.arange(4)
     start = 4 * np.arange(len(curve) + 1)
     weights = csr_array(
-        (_bernstein(t).ravel(), column.ravel(), start), shape=(len(curve), 4 * len(pieces))
+        (bernstein(t).ravel(), column.ravel(), start), shape=(len(curve), 4 * len(pieces))
     )
     stacked = curves.reshape(-1, 4 * len(pieces), 2)
     points = weights @ np.swapaxes(stacked, 0, 1).reshape(4 * len(pieces), -1)
@@ -181,4 +197,4 @@ def signed_area(curves: Curves) -> float:
     weights = np.array([[0, 6, 3, 1], [-6, 0, 3, 3], [-3, -3, 0, 6], [-1, -3, -6, 0]]) / 20
     local = curves - curves[:1, :1]
     x, y = local[..., 0], local[..., 1]
-    return float(np.einsum("ni,ij,nj->", x, weights, y))
+    return float((combined(x, weights) * y).sum())

@@ -3,6 +3,7 @@
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.geometry.bezier import derivatives, evaluate
 
 __all__ = ["area_moments"]
 
@@ -33,13 +34,10 @@ def area_moments(curves: Curves) -> tuple[float, Points, Floats]:
     origin = curves[0, 0]
     local = curves - origin
     t = (NODES + 1) / 2
-    s = 1 - t
-    basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)
-    slope = np.stack([s * s, 2 * s * t, t * t], axis=-1)
-    x, y = np.moveaxis(basis @ local, -1, 0)
-    dy = (slope @ (3 * np.diff(local[..., 1], axis=1))[..., None])[..., 0] * WEIGHTS / 2
+    x, y = np.moveaxis(evaluate(local, t), -1, 0)
+    dy = derivatives(local, t)[..., 1] * WEIGHTS / 2
     area = float((x * dy).sum())
     mean = np.array([(x * x / 2 * dy).sum(), (x * y * dy).sum()]) / area
-    xx, xy, yy = (x**3 / 3 * dy).sum(), (x * x * y / 2 * dy).sum(), (x * y * y * dy).sum()
+    xx, xy, yy = (x * x * x / 3 * dy).sum(), (x * x * y / 2 * dy).sum(), (x * y * y * dy).sum()
     second = np.array([[xx, xy], [xy, yy]]) / area
     return area, mean + origin, second - np.outer(mean, mean)

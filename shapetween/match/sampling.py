@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.geometry.bezier import bernstein
 from shapetween.match.moments import area_moments
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
@@ -69,9 +70,7 @@ def canonical_start(arcs: ArcLength) -> float:
         roots = np.stack([q / a, c / q], axis=1)
     roots = np.where((roots > 0) & (roots < 1), roots, 0.0)  # NaN compares false
     t = np.concatenate([np.zeros((len(a), 1)), roots], axis=1)
-    s = 1 - t
-    basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)
-    reach = np.einsum("nkb,nb->nk", basis, heights)
+    reach = (bernstein(t) * heights[:, None]).sum(axis=-1)
     # Of the equally far ones, but for rounding, the first along a fixed second direction.
     span = np.ptp(heights)
     curve, which = np.nonzero(reach >= reach.max() - 1e-12 * span)

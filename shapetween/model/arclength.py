@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from shapetween.base.arrays import Complex, Curves, Floats, Index, Points
 from shapetween.base.errors import OutlineError
-from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.bezier import bernstein, combined, sub_curves
 from shapetween.geometry.linearmaps import as_complex, as_points, squared
 from shapetween.model.outline import Outline
 
@@ -164,9 +164,7 @@ class ArcLength:
 
     def _at(self, curve: Index, t: Floats) -> Points:
         """Points at parameters of curves, (..., 2)."""
-        s = 1 - t
-        basis = np.stack([s**3, 3 * s * s * t, 3 * s * t * t, t**3], axis=-1)
-        return np.asarray(np.einsum("...k,...kd->...d", basis, self.outline.curves[curve]))
+        return combined(bernstein(t)[..., None, :], self.outline.curves[curve])[..., 0, :]
 
     def _pieces(self) -> tuple[Index, Floats, Floats, Floats]:
         """Curves cut until Gauss-Legendre integrates every piece: curve, start, end, length."""
@@ -264,4 +262,4 @@ def _lengths(steps: Curves, low: Floats, high: Floats) -> Floats:
     """Length of each curve between two parameters; negative where ``low > high``."""
     t = low[..., None] + (high - low)[..., None] * (NODES + 1) / 2
     speed = np.sqrt(squared(_speeding(as_complex(steps)[..., None, :], t)))
-    return np.asarray(speed @ WEIGHTS * (high - low) / 2)
+    return np.asarray((speed * WEIGHTS).sum(-1) * (high - low) / 2)

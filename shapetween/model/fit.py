@@ -51,7 +51,10 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
 
 def mapped(points: Points, matrix: Affine) -> Points:
     """Points (..., 2) under an affine map (2, 3)."""
-    return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
+    # Term by term: a matrix product may round otherwise on another processor.
+    return np.asarray(
+        points[..., :1] * matrix[:, 0] + points[..., 1:] * matrix[:, 1] + matrix[:, 2]
+    )
 
 
 def inverted(matrix: Affine) -> Affine:

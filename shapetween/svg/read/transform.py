@@ -36,9 +36,10 @@ IDENTITY = affine(1, 0, 0, 1, 0, 0)
 
 def compose(outer: Affine, inner: Affine) -> Affine:
     """The map that does `inner` first, then `outer`."""
-    linear = outer[:, :2] @ inner[:, :2]
-    offset = outer[:, :2] @ inner[:, 2] + outer[:, 2]
-    return np.concatenate([linear, offset[:, None]], axis=1)
+    # Term by term: a matrix product may round otherwise on another processor.
+    product = outer[:, :1] * inner[:1] + outer[:, 1:2] * inner[1:]
+    product[:, 2] += outer[:, 2]
+    return np.asarray(product)
 
 
 def apply(matrix: Affine, points: Points) -> Points:
