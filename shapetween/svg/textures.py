@@ -17,8 +17,8 @@ from shapetween.model.drawing import Box
 from shapetween.model.gradients import IDENTITY
 from shapetween.model.paint import Paint, Texture
 from shapetween.svg.read.document import Document, href
+from shapetween.svg.read.frames import Frame, Placed
 from shapetween.svg.read.transform import compose
-from shapetween.svg.read.walk import Frame, Placed
 from shapetween.svg.read.xml import SVG, XLINK, local_name
 from shapetween.svg.write.elements import GradientDefs, paint_attributes
 from shapetween.svg.write.numbers import number

@@ -18,17 +18,18 @@ from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import Chords, chords_of, joined
 from shapetween.boolean.trace import traced
 from shapetween.geometry.bezier import line_curves
-from shapetween.model.drawing import Shape
+from shapetween.model.drawing import Box, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.svg.read.area import stroked_area
 from shapetween.svg.read.document import Document
-from shapetween.svg.read.figure import rings_of, subpaths_of
+from shapetween.svg.read.figure import rings_of
+from shapetween.svg.read.frames import Clip, Frame, Placed
 from shapetween.svg.read.painting import fill_rule
-from shapetween.svg.read.rings import bounds
 from shapetween.svg.read.shapes import SHAPES
+from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.transform import affine, compose
-from shapetween.svg.read.walk import Clip, Frame, Placed, entered, walk
+from shapetween.svg.read.walk import entered, object_box, walk
 from shapetween.svg.read.xml import local_name
 
 if TYPE_CHECKING:
@@ -182,11 +183,7 @@ class Clipper:
         assert clip.element is not None
         if clip.element.get("clipPathUnits", "").strip() != "objectBoundingBox":
             return frame
-        tag = local_name(clip.clipped)
-        if tag not in SHAPES and tag != "image":
-            self._document.losses.add("a clip path in units of its group's box was left out")
-            return None
-        box = bounds(subpaths_of(self._document, Placed(clip.clipped, tag, clip.frame)))
+        box = object_box(self._document, clip.clipped, clip.frame) or Box(0.0, 0.0, 0.0, 0.0)
         step = affine(box.width, 0, 0, box.height, box.x, box.y)
         viewport = replace(frame.viewport, width=1.0, height=1.0)
         return replace(frame, matrix=compose(frame.matrix, step), viewport=viewport)

@@ -13,6 +13,8 @@ import tinycss2.color4
 
 from shapetween.model.paint import Colour
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
+from shapetween.svg.read.colourfunctions import calculated_arguments, mixed, relative
+from shapetween.svg.read.colourspaces import TO_LINEAR_SRGB
 
 __all__ = ["CURRENT", "PaintValue", "parse_paint", "plain_colour"]
 
@@ -21,31 +23,6 @@ CURRENT = "currentcolor"
 #: The context's own paint, which only markers have and this reader does not draw.
 _CONTEXT = frozenset({"context-fill", "context-stroke"})
 
-#: Linear sRGB from XYZ under D65, from XYZ under D50 after Bradford adaptation, and from linear
-#: Display P3 ([Col4]_, section 18).
-_TO_LINEAR_SRGB = {
-    "xyz-d65": np.array(
-        [
-            [3.2409699419045226, -1.537383177570094, -0.4986107602930034],
-            [-0.9692436362808796, 1.8759675015077202, 0.04155505740717559],
-            [0.05563007969699366, -0.20397695888897652, 1.0569715142428786],
-        ]
-    ),
-    "xyz-d50": np.array(
-        [
-            [3.1341359569958707, -1.6173863321612538, -0.4906619460083532],
-            [-0.978795502912089, 1.9162543773958770, 0.03344273116131949],
-            [0.07195537988411677, -0.2289768264158322, 1.405386058324125],
-        ]
-    ),
-    "display-p3": np.array(
-        [
-            [1.2249401762805598, -0.22494017628055996, 0.0],
-            [-0.04205695470968816, 1.0420569547096881, 0.0],
-            [-0.019637554590334432, -0.07863604555063188, 1.0982736001409663],
-        ]
-    ),
-}
 _BY_WAY_OF = {
     "lab": "xyz-d50",
     "lch": "xyz-d50",
@@ -111,6 +88,11 @@ def _colour(token: Any) -> Colour | str | None:
     if token.type == "ident" and token.lower_value in {"none", *_CONTEXT}:
         return None
     try:
+        if token.type == "function":
+            made = _made(token)
+            if made is not None:
+                return made
+            token = calculated_arguments(token)
         colour = tinycss2.color4.parse_color(token)
         if colour is None or colour == CURRENT:
             return colour or "invalid"
@@ -126,14 +108,30 @@ def _colour(token: Any) -> Colour | str | None:
         return "invalid"  # tinycss2 trips over some malformed colour functions
 
 
+def _made(token: Any) -> Colour | None:
+    """A function that makes a colour from colours; None if it is another, or malformed."""
+    if token.lower_name == "color-mix":
+        return mixed(token.arguments, _plain)
+    first = next((t for t in token.arguments if t.type not in ("whitespace", "comment")), None)
+    if first is not None and first.type == "ident" and first.lower_value == "from":
+        return relative(token.lower_name, token.arguments, _plain)
+    return None
+
+
+def _plain(token: Any) -> Colour | None:
+    """A colour within another; None if it is malformed, or depends on where it is used."""
+    colour = _colour(token)
+    return colour if isinstance(colour, Colour) else None
+
+
 def _srgb(colour: Any) -> Colour:
     """A colour of any space in sRGB, cut off where it is beyond it."""
     if colour.space == "display-p3":
         given = np.array([value or 0.0 for value in colour.coordinates])  # missing ones are 0
-        components = linear_to_srgb(_TO_LINEAR_SRGB["display-p3"] @ srgb_to_linear(given))
+        components = linear_to_srgb(TO_LINEAR_SRGB["display-p3"] @ srgb_to_linear(given))
     elif colour.space in _BY_WAY_OF:
         space = _BY_WAY_OF[colour.space]
-        components = linear_to_srgb(_TO_LINEAR_SRGB[space] @ np.array(colour.to(space).coordinates))
+        components = linear_to_srgb(TO_LINEAR_SRGB[space] @ np.array(colour.to(space).coordinates))
     else:
         components = colour.to("srgb").coordinates
     red, green, blue = (min(1.0, max(0.0, float(component))) for component in components)

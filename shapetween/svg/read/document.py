@@ -5,11 +5,14 @@ from collections.abc import Callable
 from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
+from shapetween.model.drawing import Box
 from shapetween.model.paint import Stop
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.pathdata import PathData
-from shapetween.svg.read.style import Cascade
+from shapetween.svg.read.queries import Medium
+from shapetween.svg.read.style import ANIMATED, Cascade
 from shapetween.svg.read.units import Viewport
+from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
 
 __all__ = ["Document", "Losses", "Pictures", "href", "label", "title_of"]
@@ -17,6 +20,10 @@ __all__ = ["Document", "Losses", "Pictures", "href", "label", "title_of"]
 Pictures: TypeAlias = Callable[[str], str | None]
 """The ``data:`` address of a picture beside the document for its own address; None if it cannot be
 had."""
+
+
+#: Elements that let a drawing move by itself.
+ANIMATIONS = frozenset({"animate", "animateTransform", "animateMotion", "animateColor", "set"})
 
 
 class Losses:
@@ -74,6 +81,10 @@ class Document:
         Stops of gradients at an opacity, without any that they inherit.
     geometry : dict
         What elements draw in viewports, kept for those that are drawn again.
+    boxes : dict
+        Boxes around what elements draw in viewports, in their own coordinates.
+    shown : Box
+        What is shown of the drawing, in the units of its root.
     textures : int
         How many textures were made so far.
     definitions : str or None
@@ -97,9 +108,17 @@ class Document:
         self.losses = Losses()
         self.root, warnings = parse_xml(data, name, limits)
         self._spent: Counter[str] = Counter()
-        self.cascade = Cascade(self.root, self.spend)
-        for warning in (*warnings, *self.cascade.warnings):
+        for warning in warnings:
             self.losses.add(warning)
+        self._told: set[str] = set()
+        self.cascade = Cascade(self.root, self.spend, self.tell, _medium(self.root))
+        for element in self.root.iter():
+            if local_name(element) in ANIMATIONS:
+                self.tell(ANIMATED)
+            elif local_name(element) == "script" and (
+                href(element) or (element.text or "").strip()
+            ):
+                self.tell("its script was not run: what that draws or changes is not read")
         self.ids: dict[str, Element] = {}
         for element in self.root.iter():
             identity = element.get("id")
@@ -107,7 +126,15 @@ class Document:
                 self.ids.setdefault(identity, element)
         self.stops: dict[tuple[Element, float], tuple[Stop, ...]] = {}
         self.geometry: dict[tuple[Element, Viewport], PathData] = {}
+        self.boxes: dict[tuple[Element, Viewport], Box | None] = {}
+        self.shown = Box(0.0, 0.0, 0.0, 0.0)
         self._parents: dict[Element, Element] | None = None
+
+    def tell(self, what: str) -> None:
+        """Note something about the document as a whole, once."""
+        if what not in self._told:
+            self._told.add(what)
+            self.losses.add(what)
 
     def spend(self, limit: str, amount: int = 1) -> None:
         """Use up some of a budget.
@@ -132,6 +159,15 @@ class Document:
         while at is not None and at is not container:
             at = self._parents.get(at)
         return at is not None
+
+
+def _medium(root: Element) -> Medium:
+    """What style is told of the size: the view box, else the page."""
+    box = parse_view_box(root.get("viewBox"))
+    if box is not None:
+        return Medium(box.width, box.height)
+    sizes = [Viewport(0.0, 0.0).length(root.get(side), 0.0) for side in ("width", "height")]
+    return Medium(sizes[0] or 300.0, sizes[1] or 150.0)
 
 
 def href(element: Element) -> str:

@@ -1,7 +1,6 @@
 """One painted element to the shapes it draws, in the drawing's user units."""
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,25 +11,23 @@ from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.svg.read.document import Document
+from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.rings import ring_of
-from shapetween.svg.read.shapes import basic_shape
+from shapetween.svg.read.subpaths import in_range, subpaths_of
 from shapetween.svg.read.transform import apply
-from shapetween.svg.read.units import GREATEST, number
-from shapetween.svg.read.walk import LOST_MARKERS, Placed
+from shapetween.svg.read.units import number
 
-__all__ = ["rings_of", "shapes_of", "subpaths_of"]
+__all__ = ["rings_of", "shapes_of"]
 
-LOST_TAIL = "a shape was drawn only as far as its data is sound"
-LOST_RANGE = "a ring with numbers out of all range was left out"
+LOST_MARKERS = "markers on a line were left out"
 
 #: Share of its length up to which a stroke inside of what it surrounds is left out: ends of
 #: outlines that overlap a little. Lower and fill and stroke of such shapes part for nothing.
 HIDDEN = 0.05
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(["'])(.*)\1\s*\)""", re.DOTALL)
 
 
 def shapes_of(document: Document, placed: Placed) -> list[Shape]:
@@ -76,30 +73,6 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     return shapes
 
 
-def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
-    """The subpaths of a shape's element in its local coordinates; what is unsound is counted.
-
-    Raises
-    ------
-    BudgetError
-    """
-    viewport = placed.frame.viewport
-    data = document.geometry.get((placed.element, viewport))
-    if data is None:
-        values = dict(placed.values)
-        path = _CSS_PATH.fullmatch(values.get("d", "").strip())
-        if path:
-            values["d"] = path[2]
-        tag = "rect" if placed.tag == "image" else placed.tag  # it has no corners to round
-        data = basic_shape(tag, values, viewport, document.limits.path_commands)
-        document.geometry[placed.element, viewport] = data
-    document.spend("path_commands", data.commands)
-    if data.problem:
-        where = f"in {placed.name!r}, " if placed.name else ""
-        document.losses.add(LOST_TAIL, where + data.problem)
-    return _in_range(document, data.subpaths)
-
-
 def rings_of(
     document: Document, placed: Placed, subpaths: Sequence[Subpath], style: Style
 ) -> tuple[Outline, ...]:
@@ -121,20 +94,9 @@ def rings_of(
             stroked=stroke is not None,
             dots=stroke is not None and stroke.cap != "butt",
         )
-        for subpath in _in_range(document, mapped)
+        for subpath in in_range(document, mapped)
     )
     return tuple(ring for ring in rings if ring is not None)
-
-
-def _in_range(document: Document, subpaths: Iterable[Subpath]) -> tuple[Subpath, ...]:
-    """Subpaths without those that overflowed, or hold what is not a number."""
-    kept = []
-    for subpath in subpaths:
-        if np.abs(subpath.curves).max(initial=0.0) <= GREATEST:
-            kept.append(subpath)
-        else:
-            document.losses.add(LOST_RANGE)
-    return tuple(kept)
 
 
 def _stroke_first(placed: Placed) -> bool:

@@ -11,6 +11,7 @@ from shapetween.base.arrays import Affine
 from shapetween.model.drawing import Box
 from shapetween.model.paint import Colour, Gradient, Paint, Stop
 from shapetween.svg.read.colours import parse_paint
+from shapetween.svg.read.csstransform import css_transform
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.style import Properties
 from shapetween.svg.read.transform import affine, compose, parse_transform
@@ -79,8 +80,6 @@ def gradient(
     for link in reversed(chain):
         values.update(link.items())
     style = document.cascade.properties(element, {})
-    if "transform" in style:  # as CSS; the attribute is called gradientTransform
-        values["gradientTransform"] = style["transform"]
 
     in_box = values.get("gradientUnits", "objectBoundingBox").strip() != "userSpaceOnUse"
     if in_box:
@@ -90,7 +89,12 @@ def gradient(
         viewport = Viewport(1.0, 1.0)
     if len(stops) == 1:
         return stops[0].colour
-    turned = parse_transform(values.get("gradientTransform", ""))
+    turned: Affine | None
+    if "transform" in style:  # as CSS; the attribute is called gradientTransform
+        whole = Box(0.0, 0.0, viewport.width, viewport.height)
+        turned = css_transform(style, None, viewport, whole)
+    else:
+        turned = parse_transform(values.get("gradientTransform", ""))
     if turned is not None:
         matrix = compose(matrix, turned)
     (a, c, e), (b, d, f) = matrix.tolist()

@@ -16,11 +16,12 @@ from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.svg.read.clip import Clipper
 from shapetween.svg.read.document import Document, Pictures, title_of
 from shapetween.svg.read.figure import shapes_of
+from shapetween.svg.read.frames import Frame
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.transform import affine
 from shapetween.svg.read.units import Viewport, common_unit
 from shapetween.svg.read.viewbox import parse_view_box
-from shapetween.svg.read.walk import Frame, walk
+from shapetween.svg.read.walk import walk
 
 __all__ = ["read_svg"]
 
@@ -82,6 +83,7 @@ def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> 
     seen = view_box or page
     width, height = (seen.width, seen.height) if seen else DEFAULT_SIZE
     pixel = view_box.width / page.width if view_box and page else 1 / unit
+    document.shown = Box(seen.x, seen.y, width, height) if seen else Box(0.0, 0.0, width, height)
     written = affine(1 / unit, 0, 0, 1 / unit, 0, 0)
     frame = Frame(written, {}, Viewport(width, height), pixel)
     if seen and not view_box:

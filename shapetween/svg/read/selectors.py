@@ -5,7 +5,7 @@ another: a chain of descendant or sibling selectors may walk each element's ance
 over and over, and a few lines of style could keep a machine busy for days.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 from xml.etree.ElementTree import Element
 
@@ -17,13 +17,13 @@ __all__ = ["compile_selectors", "matches"]
 NEW_ELEMENT = 5
 
 
-def compile_selectors(prelude: Sequence[Any]) -> list[Any] | None:
+def compile_selectors(text: str) -> list[Any] | None:
     """The selectors in front of a rule's block; None if one is not understood.
 
     Those that name a pseudo-element, of which SVG has none, are left out.
     """
     try:
-        selectors = cssselect2.compile_selector_list(prelude)
+        selectors = cssselect2.compile_selector_list(text)
     # Selectors become Python expressions, which may be nested too deeply for Python.
     except (cssselect2.SelectorError, SyntaxError, MemoryError, RecursionError):
         return None

@@ -7,82 +7,30 @@ marked important, then inheritance (*CSS Cascading and Inheritance Level 4*, sec
 import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
-from typing import Any, TypeAlias
+from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
-import tinycss2
-
-from shapetween.svg.read.colours import parse_paint
-from shapetween.svg.read.shapes import GEOMETRY
+from shapetween.svg.read.properties import INHERITED, PAINTS, is_plain, is_valid, normal
+from shapetween.svg.read.queries import Medium, media_met
+from shapetween.svg.read.sheets import UNLAYERED, Declaration, declarations_of, rules_of
+from shapetween.svg.read.variables import with_scheme, with_variables
 from shapetween.svg.read.xml import local_name
 
-__all__ = ["Cascade", "Properties"]
+__all__ = ["ANIMATED", "Cascade", "Properties"]
 
 Properties = Mapping[str, str]
 
-INHERITED = frozenset(
-    {
-        "clip-rule",
-        "color",
-        "fill",
-        "fill-opacity",
-        "fill-rule",
-        "font-size",
-        "marker-end",
-        "marker-mid",
-        "marker-start",
-        "paint-order",
-        "stroke",
-        "stroke-dasharray",
-        "stroke-dashoffset",
-        "stroke-linecap",
-        "stroke-linejoin",
-        "stroke-miterlimit",
-        "stroke-opacity",
-        "stroke-width",
-        "visibility",
-    }
-)
-#: Properties of one element alone, which presentation attributes set as well.
-OWN = frozenset(
-    {
-        "clip-path",
-        "display",
-        "filter",
-        "mask",
-        "mix-blend-mode",
-        "opacity",
-        "overflow",
-        "stop-color",
-        "stop-opacity",
-        "transform",
-        "transform-origin",
-        "vector-effect",
-    }
-)
-#: Properties with colours or paints: a value that is neither loses against what it would override.
-PAINTS = frozenset({"fill", "stroke", "color", "stop-color"})
-
-#: References between custom properties followed from one value; more is taken for a circle.
-MOST_REFERENCES = 16
-
-#: Media that a drawing is made for. Queries beyond these are taken as not met.
-MET_QUERIES = frozenset(
-    {"all", "screen", "(prefers-color-scheme:light)", "(prefers-reduced-motion:no-preference)"}
-)
+#: What is said of a drawing that moves by itself.
+ANIMATED = "it is animated by itself: only what it shows at rest is read"
 
 #: Properties of one element that may be custom ones; each is copied to everything inside it.
 MOST_PROPERTIES = 200
-
-#: Characters of a paint or of a transform that are read; what somebody drew has a few dozen.
-MOST_CHARACTERS = 10_000
 
 #: Declarations in which no character but brackets means anything to CSS: drawing programs write
 #: them by the thousand, each unlike the next, and a whole CSS parser would take most of the time.
 _PLAIN = re.compile(r"""(?:[^-"'()\\/{}!@\[\]]|-(?!-)|\([^"'()\\/{}!@;\[\]]*\))*+""")
 
 Spend: TypeAlias = Callable[[str, int], None]
-_Declaration: TypeAlias = tuple[str, str, bool]
 
 
 class Cascade:
@@ -93,32 +41,35 @@ class Cascade:
     root : Element
     spend : callable
         Uses up some of a budget.
-
-    Attributes
-    ----------
-    warnings : list of str
-        What in the style sheets could not be followed.
+    warn : callable
+        Told what in the style could not be followed.
+    medium : Medium
+        What the drawing is shown on.
     """
 
-    def __init__(self, root: Element, spend: Spend) -> None:
-        self.warnings: list[str] = []
+    def __init__(
+        self, root: Element, spend: Spend, warn: Callable[[str], None], medium: Medium
+    ) -> None:
+        self._warn = warn
+        self._keyframes = False
         sheets = [
             "".join(element.itertext())
             for element in root.iter()
             if local_name(element) == "style"
             and element.get("type", "text/css").strip().lower() in ("", "text/css")
-            and _media_met(element.get("media", ""))
+            and media_met(element.get("media", ""), medium)
         ]
-        self._matched: dict[Element, list[_Declaration]] = {}
+        # For each element its normal declarations, then those marked important.
+        self._matched: dict[Element, tuple[list[Declaration], list[Declaration]]] = {}
         inline = {each.get("style", "") for each in root.iter()}
         involved = (text for text in inline if not _PLAIN.fullmatch(text))
         spend("style_characters", sum(map(len, sheets)) + sum(map(len, involved)))
         if any(sheet.strip() for sheet in sheets):
             try:
-                self._match(root, "\n".join(sheets), spend)
+                self._match(root, "\n".join(sheets), spend, medium)
             except RecursionError:
                 self._matched.clear()
-                self.warnings.append("its style sheet is nested too deeply and was left out")
+                self._warn("its style sheet is nested too deeply and was left out")
 
     def properties(self, element: Element, parent: Properties) -> dict[str, str]:
         """Everything that is set for an element, or that it inherits.
@@ -131,15 +82,16 @@ class Cascade:
         """
         own: dict[str, str] = {}
         for name, value in element.items():
-            if (name in INHERITED or name in OWN or name in GEOMETRY) and _valid(name, value):
+            if is_plain(name) and is_valid(name, value, False):
                 own[name] = value.strip()
-        sheet = self._matched.get(element, [])
+        usual, important = self._matched.get(element, ((), ()))
         inline = _declarations(element.get("style", ""))
-        for important in (False, True):
+        for sheet, mark in ((usual, False), (important, True)):
+            own.update((name, value) for name, value, _ in sheet if is_valid(name, value))
             own.update(
                 (name, value)
-                for name, value, mark in (*sheet, *inline)
-                if mark == important and _valid(name, value)
+                for name, value, marked in inline
+                if marked == mark and is_valid(name, value)
             )
 
         computed = {
@@ -147,129 +99,88 @@ class Cascade:
             for name, value in parent.items()
             if name in INHERITED or name.startswith("--")
         }
-        for name, value in own.items():
-            if name.startswith("--") and len(computed) < MOST_PROPERTIES:
-                computed[name] = value
-        for name, value in own.items():
-            if name.startswith("--"):
-                continue
-            if "var(" in value:
-                resolved = _with_variables(value, computed)
-                if resolved is None or not _valid(name, resolved):
-                    continue
-                value = resolved
-            keyword = value.lower()
-            if keyword == "inherit":
-                if name in parent:
-                    computed[name] = parent[name]
-            elif keyword == "initial":
-                computed.pop(name, None)
-            elif keyword not in ("unset", "revert"):
-                computed[name] = value
+        self._set_custom(computed, own)
+        # Colours may depend on the colour.
+        for name in sorted(own, key=lambda name: name not in ("color", "color-scheme")):
+            if not name.startswith("--"):
+                self._set(computed, parent, name, own[name])
+        if self._keyframes and _is_animated(computed):
+            self._warn(ANIMATED)
         return computed
 
-    def _match(self, root: Element, sheet: str, spend: Spend) -> None:
+    def _set_custom(self, computed: dict[str, str], own: Mapping[str, str]) -> None:
+        """Take in custom properties, each with what it names put in."""
+        fresh = [name for name in own if name.startswith("--")]
+        fresh = fresh[: max(0, MOST_PROPERTIES - len(computed))]
+        computed.update((name, own[name]) for name in fresh)
+        for name in fresh:
+            value = computed[name]
+            if "var(" in value.lower():
+                resolved = with_variables(value, computed)
+                if resolved is None:
+                    del computed[name]
+                else:
+                    computed[name] = resolved
+
+    def _set(self, computed: dict[str, str], parent: Properties, name: str, value: str) -> None:
+        """Take in the value of one property."""
+        if "var(" in value.lower():
+            resolved = with_variables(value, computed)
+            if resolved is None or not is_valid(name, resolved):
+                # Invalid at computed-value time: as if nothing had been said.
+                if name not in INHERITED:
+                    computed.pop(name, None)
+                return
+            value = resolved
+        if name in PAINTS and "(" in value:
+            value = with_scheme(
+                value, computed.get("color-scheme", ""), computed.get("color", "black")
+            )
+        keyword = value.lower()
+        if keyword == "inherit":
+            if name in parent:
+                computed[name] = parent[name]
+        elif keyword == "initial":
+            computed.pop(name, None)
+        elif keyword not in ("unset", "revert", "revert-layer"):
+            computed[name] = normal(name, value)
+
+    def _match(self, root: Element, sheet: str, spend: Spend, medium: Medium) -> None:
         from shapetween.svg.read.selectors import compile_selectors, matches
 
         rules = []
-        for rule in self._rules(sheet):
-            selectors = compile_selectors(rule.prelude)
+        found, self._keyframes = rules_of(
+            sheet, medium, is_valid, partial(spend, "style_characters"), self._warn
+        )
+        layered = False
+        for rule in found:
+            selectors = compile_selectors(rule.selector)
             if selectors is None:
                 self._warn("some selectors of its style sheet are not understood")
                 continue
-            declarations = _parsed(rule.content)
-            rules += [(selector, declarations) for selector in selectors]
-        for element, found in matches(root, rules, partial(spend, "style_steps")):
-            self._matched[element] = [declaration for each in found for declaration in each]
-            spend("style_steps", len(self._matched[element]))
-
-    def _rules(self, sheet: str) -> list[Any]:
-        """Qualified rules of a sheet, with those of the media that apply."""
-        rules = []
-        pending = tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)
-        pending.reverse()
-        while pending:
-            rule = pending.pop()
-            if rule.type == "qualified-rule":
-                rules.append(rule)
-            elif rule.type == "at-rule" and rule.lower_at_keyword == "media":
-                if rule.content and _media_met(tinycss2.serialize(rule.prelude)):
-                    inner = tinycss2.parse_rule_list(
-                        rule.content, skip_comments=True, skip_whitespace=True
-                    )
-                    pending.extend(reversed(inner))
-            elif rule.type == "at-rule" and rule.lower_at_keyword == "import":
-                self._warn("its style sheet imports another, which was not fetched")
-        return rules
-
-    def _warn(self, text: str) -> None:
-        if text not in self.warnings:
-            self.warnings.append(text)
+            layered = layered or rule.layer != UNLAYERED
+            rules += [(selector, rule) for selector in selectors]
+        for element, matched in matches(root, rules, partial(spend, "style_steps")):
+            ranked = sorted(matched, key=lambda rule: rule.layer) if layered else matched
+            usual = [d for rule in ranked for d in rule.declarations if not d[2]]
+            if layered:  # what is important wins the other way round
+                ranked = sorted(matched, key=lambda rule: -rule.layer)
+            important = [d for rule in ranked for d in rule.declarations if d[2]]
+            self._matched[element] = usual, important
+            spend("style_steps", len(usual) + len(important))
 
 
-def _media_met(query: str) -> bool:
-    """Whether a media query list is met; an empty one is."""
-    if not query.strip():
-        return True
-    for option in query.lower().split(","):
-        words = re.sub(r"\s*([():])\s*", r"\1", option.strip().removeprefix("only ")).strip()
-        if all(re.sub(r"\s+", "", part) in MET_QUERIES for part in re.split(r"\band\b", words)):
-            return True
-    return False
+def _is_animated(properties: Properties) -> bool:
+    return any(
+        properties.get(name, "none").strip().lower() not in ("none", "", "initial")
+        for name in ("animation", "animation-name")
+    )
 
 
 @lru_cache(maxsize=4096)
-def _declarations(text: str) -> tuple[_Declaration, ...]:
+def _declarations(text: str) -> tuple[Declaration, ...]:
     """Declarations of a ``style`` attribute."""
     if not _PLAIN.fullmatch(text):
-        return _parsed(text)
+        return declarations_of(text)
     pairs = (part.partition(":") for part in text.split(";") if ":" in part)
     return tuple((name.strip().lower(), value.strip(), False) for name, _, value in pairs)
-
-
-def _parsed(content: Any) -> tuple[_Declaration, ...]:
-    try:
-        return tuple(
-            (
-                declaration.name if declaration.name.startswith("--") else declaration.lower_name,
-                tinycss2.serialize(declaration.value).strip(),
-                declaration.important,
-            )
-            for declaration in tinycss2.parse_blocks_contents(
-                content, skip_comments=True, skip_whitespace=True
-            )
-            if declaration.type == "declaration"
-        )
-    except RecursionError:  # brackets within brackets: no property that draws has them
-        return ()
-
-
-def _valid(name: str, value: str) -> bool:
-    """Whether a value can override another: a paint that cannot be parsed may not."""
-    if len(value) > MOST_CHARACTERS and name != "d":
-        return False
-    if name not in PAINTS or "var(" in value:
-        return True
-    if value.lower() in ("inherit", "initial", "unset", "revert"):
-        return True
-    return parse_paint(value) is not None
-
-
-def _with_variables(value: str, properties: Properties) -> str | None:
-    """The value with its ``var()`` replaced; None if one has neither value nor fallback."""
-    for _ in range(MOST_REFERENCES):
-        tokens = tinycss2.parse_component_value_list(value)
-        at = next(
-            (i for i, t in enumerate(tokens) if t.type == "function" and t.lower_name == "var"),
-            None,
-        )
-        if at is None:
-            return value.strip()
-        arguments = tinycss2.serialize(tokens[at].arguments)
-        name, comma, fallback = arguments.partition(",")
-        replacement = properties.get(name.strip(), fallback if comma else None)
-        if replacement is None:
-            return None
-        before, after = tinycss2.serialize(tokens[:at]), tinycss2.serialize(tokens[at + 1 :])
-        value = f"{before}{replacement}{after}"
-    return None

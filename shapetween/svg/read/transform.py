@@ -17,13 +17,12 @@ __all__ = ["IDENTITY", "affine", "apply", "compose", "mean_scale", "parse_transf
 
 #: A number as SVG and CSS write it. Atomic: what follows never makes it end earlier.
 NUMBER = r"(?>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
-ANGLE_UNITS = {"": 1.0, "deg": 1.0, "grad": 0.9, "turn": 360.0, "rad": 180 / np.pi}
 
 #: Functions of one list that are read; more were not written by anybody.
 MOST_FUNCTIONS = 1000
 
 _FUNCTION = re.compile(r"\s*,?\s*([A-Za-z]+)\s*\(([^()]*)\)", re.ASCII)
-_ARGUMENT = re.compile(rf"\s*,?\s*({NUMBER})(deg|grad|rad|turn|px)?\s*", re.ASCII)
+_ARGUMENT = re.compile(rf"\s*,?\s*({NUMBER})\s*", re.ASCII)
 
 
 def affine(a: float, b: float, c: float, d: float, e: float, f: float) -> Affine:
@@ -66,29 +65,20 @@ def _rotate(degrees: float, x: float = 0.0, y: float = 0.0) -> Affine:
     return affine(c, s, -s, c, x - c * x + s * y, y - s * x - c * y)
 
 
-#: Name in lower case -> least and greatest number of arguments, and the map they make.
+#: Name -> least and greatest number of arguments, and the map they make.
 _FUNCTIONS: dict[str, tuple[int, int, Callable[..., Affine]]] = {
     "matrix": (6, 6, affine),
     "translate": (1, 2, lambda x, y=0.0: affine(1, 0, 0, 1, x, y)),
-    "translatex": (1, 1, lambda x: affine(1, 0, 0, 1, x, 0)),
-    "translatey": (1, 1, lambda y: affine(1, 0, 0, 1, 0, y)),
     "scale": (1, 2, lambda x, y=None: affine(x, 0, 0, x if y is None else y, 0, 0)),
-    "scalex": (1, 1, lambda x: affine(x, 0, 0, 1, 0, 0)),
-    "scaley": (1, 1, lambda y: affine(1, 0, 0, y, 0, 0)),
     "rotate": (1, 3, _rotate),
-    "skewx": (1, 1, lambda x: affine(1, 0, tan(radians(x)), 1, 0, 0)),
-    "skewy": (1, 1, lambda y: affine(1, tan(radians(y)), 0, 1, 0, 0)),
-    "skew": (
-        1,
-        2,
-        lambda x, y=0.0: affine(1, tan(radians(y)), tan(radians(x)), 1, 0, 0),
-    ),
+    "skewX": (1, 1, lambda x: affine(1, 0, tan(radians(x)), 1, 0, 0)),
+    "skewY": (1, 1, lambda y: affine(1, tan(radians(y)), 0, 1, 0, 0)),
 }
 
 
 @lru_cache(maxsize=1024)
 def parse_transform(text: str) -> Affine | None:
-    """Parse a transform list, as an attribute or as a CSS property.
+    """Parse a transform list as an attribute has it: in user units and degrees, without units.
 
     Returns
     -------
@@ -103,7 +93,7 @@ def parse_transform(text: str) -> Affine | None:
         if found.start() != position or count == MOST_FUNCTIONS:
             return None
         position = found.end()
-        step = _function(found[1].lower(), found[2])
+        step = _function(found[1], found[2])
         if step is None:
             return None
         with np.errstate(all="ignore"):
@@ -123,7 +113,7 @@ def _function(name: str, text: str) -> Affine | None:
         if found.start() != position:
             return None
         position = found.end()
-        values.append(float(found[1]) * ANGLE_UNITS.get(found[2] or "", 1.0))
+        values.append(float(found[1]))
     if not all(map(isfinite, values)):
         return None
     if text[position:].strip() or not least <= len(values) <= most:

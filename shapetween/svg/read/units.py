@@ -4,6 +4,7 @@
 """
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite, sqrt
 
@@ -28,6 +29,14 @@ _PIXELS = {
 #: the nought, which only the font itself knows.
 _OF_FONT = {"em": 1.0, "ex": 0.5, "ch": 0.5}
 
+#: Units of the view, in its hundredths; browsers take the page's, which a drawing fills.
+_OF_VIEW: dict[str, Callable[[float, float], float]] = {
+    "vw": lambda width, height: width,
+    "vh": lambda width, height: height,
+    "vmin": min,
+    "vmax": max,
+}
+
 #: The greatest number kept: browsers hold coordinates in single precision.
 GREATEST = 3.4e38
 
@@ -35,6 +44,11 @@ GREATEST = 3.4e38
 def number(text: str | None) -> float | None:
     """A plain number or a percentage as a share of 1; None if it is neither."""
     found = _LENGTH.fullmatch(text or "")
+    if found is None and text and "(" in text:
+        from shapetween.svg.read.calc import calculated  # off the path of `import shapetween`
+
+        shares = {"": 1.0, "%": 0.01}
+        return calculated(text, lambda v, unit: v * shares[unit] if unit in shares else None)
     if found is None or found[2] not in ("", "%"):
         return None
     value = float(found[1]) / (100 if found[2] else 1)
@@ -93,8 +107,15 @@ class Viewport:
         """
         found = _LENGTH.fullmatch(text or "")
         if found is None:
-            return None
-        value, unit = float(found[1]), found[2].lower()
+            return self._calculated(text, of) if text and "(" in text else None
+        return self._measured(float(found[1]), found[2].lower(), of)
+
+    def _calculated(self, text: str, of: float) -> float | None:
+        from shapetween.svg.read.calc import calculated  # off the path of `import shapetween`
+
+        return calculated(text, lambda value, unit: self._measured(value, unit, of))
+
+    def _measured(self, value: float, unit: str, of: float) -> float | None:
         if unit == "%":
             value *= of / 100
         elif unit in _PIXELS:
@@ -103,6 +124,8 @@ class Viewport:
             value *= _OF_FONT[unit] * self.font_size
         elif unit == "rem":
             value *= self.root_font_size
+        elif unit in _OF_VIEW:
+            value *= _OF_VIEW[unit](self.width, self.height) / 100
         else:
             return None
         return value if abs(value) <= GREATEST else None

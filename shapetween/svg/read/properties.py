@@ -1,0 +1,164 @@
+"""Which properties matter to a drawing, and which values of theirs are sound.
+
+A value that is not sound loses against what it would override, as it does in browsers.
+"""
+
+from functools import lru_cache
+
+from shapetween.svg.read.colours import parse_paint
+from shapetween.svg.read.csstransform import TRANSFORMS, is_transform
+from shapetween.svg.read.shapes import GEOMETRY
+from shapetween.svg.read.units import Viewport, number
+from shapetween.svg.read.variables import with_scheme
+
+__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal"]
+
+INHERITED = frozenset(
+    {
+        "clip-rule",
+        "color",
+        "color-interpolation-filters",
+        "color-scheme",
+        "direction",
+        "dominant-baseline",
+        "fill",
+        "fill-opacity",
+        "fill-rule",
+        "font",
+        "font-family",
+        "font-feature-settings",
+        "font-kerning",
+        "font-size",
+        "font-stretch",
+        "font-style",
+        "font-variant",
+        "font-variation-settings",
+        "font-weight",
+        "image-rendering",
+        "letter-spacing",
+        "marker",
+        "marker-end",
+        "marker-mid",
+        "marker-start",
+        "paint-order",
+        "shape-rendering",
+        "stroke",
+        "stroke-dasharray",
+        "stroke-dashoffset",
+        "stroke-linecap",
+        "stroke-linejoin",
+        "stroke-miterlimit",
+        "stroke-opacity",
+        "stroke-width",
+        "text-anchor",
+        "text-transform",
+        "visibility",
+        "white-space",
+        "word-spacing",
+        "writing-mode",
+    }
+)
+#: Inherited properties that only style can set.
+STYLED = frozenset({"color-scheme", "font", "marker", "text-transform"})
+#: Properties of one element alone, which presentation attributes set as well.
+OWN = frozenset(
+    {
+        "alignment-baseline",
+        "baseline-shift",
+        "clip-path",
+        "display",
+        "filter",
+        "flood-color",
+        "flood-opacity",
+        "lighting-color",
+        "mask",
+        "mask-type",
+        "opacity",
+        "overflow",
+        "stop-color",
+        "stop-opacity",
+        "text-decoration",
+        "transform-origin",
+        "vector-effect",
+    }
+)
+#: Properties with colours or paints.
+PAINTS = frozenset({"fill", "stroke", "color", "stop-color", "flood-color", "lighting-color"})
+
+_WIDE = frozenset({"inherit", "initial", "unset", "revert", "revert-layer"})
+
+#: Properties that are one word of a few.
+WORDS: dict[str, frozenset[str]] = {
+    "clip-rule": frozenset({"nonzero", "evenodd"}),
+    "color-interpolation-filters": frozenset({"auto", "srgb", "linearrgb"}),
+    "direction": frozenset({"ltr", "rtl"}),
+    "fill-rule": frozenset({"nonzero", "evenodd"}),
+    "mask-type": frozenset({"alpha", "luminance"}),
+    "shape-rendering": frozenset({"auto", "optimizespeed", "crispedges", "geometricprecision"}),
+    "stroke-linecap": frozenset({"butt", "round", "square"}),
+    "stroke-linejoin": frozenset({"miter", "round", "bevel", "arcs", "miter-clip"}),
+    "text-anchor": frozenset({"start", "middle", "end"}),
+    "transform-box": frozenset({"content-box", "border-box", "fill-box", "stroke-box", "view-box"}),
+    "visibility": frozenset({"visible", "hidden", "collapse"}),
+}
+#: Properties whose words may stand in any case, as those of `WORDS` may.
+LOWERED = frozenset({*WORDS, "display", "isolation", "mix-blend-mode", "overflow", "vector-effect"})
+NUMBERS = frozenset(
+    {
+        "opacity",
+        "fill-opacity",
+        "flood-opacity",
+        "stroke-opacity",
+        "stop-opacity",
+        "stroke-miterlimit",
+    }
+)
+LENGTHS = frozenset({"stroke-width", "stroke-dashoffset"})
+
+#: Characters of a paint or of a transform that are read; what somebody drew has a few dozen.
+MOST_CHARACTERS = 10_000
+
+_ANY = Viewport(1.0, 1.0)
+
+
+@lru_cache(maxsize=16_384)
+def is_valid(name: str, value: str, styled: bool = True) -> bool:
+    """Whether a value can override another.
+
+    Parameters
+    ----------
+    name, value : str
+    styled : bool
+        Whether style says it, which is stricter than attributes are: lengths of places and sizes
+        need their unit.
+    """
+    if len(value) > MOST_CHARACTERS and name != "d":
+        return False
+    word = value.strip().lower()
+    if word in _WIDE or "var(" in word:
+        return True
+    if name in PAINTS:
+        return parse_paint(with_scheme(value, "", "black") if "(" in value else value) is not None
+    if name in WORDS:
+        return word in WORDS[name]
+    if name in NUMBERS:
+        return number(value) is not None
+    if name in LENGTHS:
+        length = _ANY.length(value, 1.0)
+        return length is not None and (length >= 0 or name != "stroke-width")
+    if name in TRANSFORMS:
+        return is_transform(name, value)
+    if styled and name in GEOMETRY and name != "d":
+        bare = number(value)
+        return bare is None or bare == 0 or "%" in value
+    return True
+
+
+def is_plain(name: str) -> bool:
+    """Whether a presentation attribute sets a property."""
+    return (name in INHERITED and name not in STYLED) or name in OWN or name in GEOMETRY
+
+
+def normal(name: str, value: str) -> str:
+    """A value as it is compared: words in lower case."""
+    return value.lower() if name in LOWERED else value
