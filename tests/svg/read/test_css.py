@@ -115,8 +115,11 @@ def test_colours_made_of_colours(text: str, expected: tuple[float, ...]) -> None
         "color-mix(in srgb, red 0%, blue 0%)",
         "rgb(from r g b)",
         "hsl(from)",
-    ]
-    + ["color-mix()", "rgb(from red r g)", "color(from red nowhere r g b)", "color-mix(in)"],
+        "color-mix()",
+        "rgb(from red r g)",
+        "color(from red nowhere r g b)",
+        "color-mix(in)",
+    ],
 )
 def test_malformed_colour_functions_are_no_colours(text: str) -> None:
     assert parse_paint(text) is None
