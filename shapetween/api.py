@@ -11,6 +11,7 @@ import numpy as np
 
 from shapetween import report
 from shapetween.base.errors import OptionError
+from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.moving import Moving
 from shapetween.io import files
@@ -50,6 +51,11 @@ class Morph(Moving):
     def warnings(self) -> tuple[str, ...]:
         """What was lost or is doubtful, one line each."""
         return self.prepared.warnings
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """The same as data, and what needs no warning."""
+        return self.prepared.notices
 
     @property
     def movements(self) -> tuple[Movement, ...]:
@@ -142,6 +148,11 @@ class Chain(Moving):
             for line in leg.warnings
         ]
         return tuple(dict.fromkeys(lines))
+
+    @property
+    def notices(self) -> tuple[Notice, ...]:
+        """Those of all legs."""
+        return distinct(notice for leg in self.legs for notice in leg.notices)
 
     @property
     def movements(self) -> tuple[Movement, ...]:

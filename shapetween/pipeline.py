@@ -7,6 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Points
 from shapetween.base.errors import OptionError
+from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
@@ -82,15 +83,21 @@ class Prepared:
     movement : Movement
     fit : (2, 3) float64
         From the second drawing's user units to the movement's.
-    warnings : tuple of str
+    notices : tuple of Notice
+        What was lost, is doubtful, or was done another way.
     carrier : FilledPart or None
         The silhouette that a drawing of several shapes rides on; it is not drawn.
     """
 
     movement: Movement
     fit: Affine
-    warnings: tuple[str, ...]
+    notices: tuple[Notice, ...]
     carrier: FilledPart | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What there is to warn of, one line each."""
+        return tuple(str(notice) for notice in self.notices if notice.severity == "warning")
 
     @property
     def filled(self) -> tuple[FilledPart, ...]:
@@ -144,23 +151,26 @@ def prepare(
     pins[:, 2:] = mapped(pins[:, 2:], matrix)
     meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
     settings = FillSettings(chosen.method, chosen.folds, chosen.quads, pins, meshes, observe)
-    warnings = [f"{names[0]}: {w}" for w in source.warnings]
-    warnings += [f"{names[1]}: {w}" for w in target.warnings]
+    notices = [
+        Notice("file", warning, name)
+        for name, drawing in zip(names, (source, target), strict=True)
+        for warning in drawing.warnings
+    ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
     parts, carrier, said = move_together(
         *shapes, boxes, settled, settings, names, together=chosen.together
     )
-    warnings += said
+    notices += said
     settings.check_used()
     if chosen.folds == "prevent":
         with observe("move"):
-            warnings += _of_riders(parts)
+            notices += _of_riders(parts)
     title = " to ".join(t for t in (source.title, target.title) if t)
     movement = Movement(parts, source.box, title)
-    return Prepared(movement, matrix, tuple(dict.fromkeys(warnings)), carrier)
+    return Prepared(movement, matrix, distinct(notices), carrier)
 
 
-def _of_riders(parts: tuple[Part, ...]) -> list[str]:
+def _of_riders(parts: tuple[Part, ...]) -> list[Notice]:
     """What to say of shapes in which something that only rides crosses itself on the way."""
     own = unrepeated(parts)
     crossing = sum(
@@ -171,7 +181,7 @@ def _of_riders(parts: tuple[Part, ...]) -> list[str]:
     if not crossing:
         return []
     among = f"{crossing} of {len(own)} shapes" if len(own) > 1 else "the shape"
-    return [f"in {among}, parts that ride along cross themselves on the way"]
+    return [Notice("crossing", f"in {among}, parts that ride along cross themselves on the way")]
 
 
 def _corners(box: Box) -> Points:

@@ -37,6 +37,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
         ],
         "riding": [_riding(part) for part in prepared.riding],
         "warnings": list(prepared.warnings),
+        "notices": [notice.as_json() for notice in prepared.notices],
     }
 
 

@@ -11,6 +11,7 @@ from shapetween.attach.specks import morph_speck
 from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Points
 from shapetween.base.errors import MeshError, OptionError, OutlineError
+from shapetween.base.notices import Kind, Notice
 from shapetween.base.observe import Observer
 from shapetween.elastic.pairing import Thing, pair_things
 from shapetween.elastic.parts import FilledPart
@@ -130,8 +131,8 @@ def _near(region: Region, point: Points) -> bool:
 
 def morph_fill(
     first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str], *, alone: bool
-) -> tuple[FilledPart, tuple[str, ...]]:
-    """Prepare the movement of one filled shape, and what there is to warn of.
+) -> tuple[FilledPart, tuple[Notice, ...]]:
+    """Prepare the movement of one filled shape, and what there is to tell.
 
     Parameters
     ----------
@@ -160,10 +161,21 @@ def morph_fill(
         pairing = pair_things(
             [_thing(r) for r in before], [_thing(r) for r in after], scale, fixed=settled
         )
-    warnings = [*said_a, *said_b]
+    notices = [*said_a, *said_b]
     bodies: list[list[RingMatch]] = []
     strangers: list[tuple[Region, bool, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
+    if len(pairing.pairs) > MOST_MESHED:
+        more = len(small)
+        notices.append(
+            Notice(
+                "too-many-pieces",
+                f"{more} of {len(pairing.pairs)} pieces are too many or too small for meshes",
+                name,
+                "they move straight",
+                severity="note",
+            )
+        )
     corners = _shared_corners([i for i, _ in meshed], before)
     for i, j in meshed:
         outer = match_outer(
@@ -178,11 +190,15 @@ def morph_fill(
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
-            warnings.append(
-                "matched with little certainty; look at the matching with 'shapetween mesh' and "
-                "correct it with --pin"
+            notices.append(
+                Notice(
+                    "uncertain",
+                    "matched with little certainty",
+                    instead="look at the matching with 'shapetween mesh' and correct it with --pin",
+                )
             )
         holes, others = _matched_holes(before[i], after[j], outer, settings)
+        notices += _of_limits(before[i], after[j], name)
         strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
@@ -205,11 +221,11 @@ def morph_fill(
             on = decks[0] if len(decks) == 1 else None
             passengers += [Passenger.of(side[k].outer, side[k].holes, arrives, on) for k in only]
     if settings.folds == "prevent":
-        warnings += _of_crossings(carried, f"{name}: " if name else "")
+        notices += [*_of_crossings(carried, name), *_of_fallbacks(carried, name)]
     styles = (first.style, second.style)
     motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
     part = FilledPart(name, styles, tuple(carried), tuple(passengers), specks, motion)
-    return part, tuple(warnings)
+    return part, tuple(notices)
 
 
 def _divided(
@@ -225,19 +241,60 @@ def _divided(
     return None
 
 
-def _of_crossings(bodies: list[Carried], called: str) -> list[str]:
-    """What to say of outlines that cross on the way: of the worst body of each kind."""
-    said = []
-    for detail, text in (
-        (False, "the outline crosses itself {}; pins on the parts that cross may help"),
-        (True, "small details of the outline run into each other {}; its large parts do not"),
-    ):
+def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:
+    """What to tell of outlines that cross on the way: of the worst body of each kind."""
+    kinds: tuple[tuple[bool, Kind, str, str], ...] = (
+        (False, "crossing", "the outline crosses itself", "pins on the parts that cross may help"),
+        (
+            True,
+            "details-touch",
+            "small details of the outline run into each other",
+            "its large parts do not",
+        ),
+    )
+    notices = []
+    for detail, kind, text, more in kinds:
         crossing = [body for body in bodies if body.crossing and body.detail == detail]
         if crossing:
             worst = max(crossing, key=lambda body: body.crossing / body.checked)
             often = f"at {worst.crossing} of {worst.checked} times on the way"
-            said.append(called + text.format(often))
-    return said
+            notices.append(Notice(kind, f"{text} {often}", name, more))
+    return notices
+
+
+def _of_fallbacks(bodies: list[Carried], name: str) -> list[Notice]:
+    """What to tell of outlines that are not moved as outlines otherwise are."""
+    notices = []
+    if any(body.bare for body in bodies):
+        notices.append(
+            Notice("bare-mesh", "nothing keeps the outline from folding", name, "its mesh moves it")
+        )
+    if any(ring.coarse for body in bodies for ring in body.nodes.rings):
+        notices.append(
+            Notice(
+                "coarse",
+                "an outline of so many curves is matched and moved by a simpler one",
+                name,
+                "its details go along",
+                severity="note",
+            )
+        )
+    return notices
+
+
+def _of_limits(first: Region, second: Region, name: str) -> list[Notice]:
+    """What to tell of more holes than are matched."""
+    most = min(len(first.holes), len(second.holes))
+    if most <= MOST_HOLES:
+        return []
+    return [
+        Notice(
+            "too-many-holes",
+            f"a piece has {most} holes, of which {MOST_HOLES} become holes of the other",
+            name,
+            "the rest close and open",
+        )
+    ]
 
 
 def _whole_motion(bodies: list[Carried]) -> WholeMotion | None:

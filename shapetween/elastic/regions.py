@@ -10,6 +10,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.errors import OutlineError
+from shapetween.base.notices import Notice
 from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import Chords, chords_of
 from shapetween.boolean.trace import traced
@@ -60,15 +61,15 @@ class Region:
         return np.asarray(self.outer.box.mean(axis=0))
 
 
-def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
-    """Pieces of a filled shape, the largest first, and warnings.
+def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[Notice, ...]]:
+    """Pieces of a filled shape, the largest first, and what there is to tell.
 
     Parameters
     ----------
     shape : Shape
         With closed rings.
     name : str
-        What warnings call it.
+        What notices call it.
 
     Notes
     -----
@@ -94,10 +95,13 @@ def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, 
     if not found:
         raise OutlineError(f"{name}: its fill rule shows nothing of it")
     x, y = crossing
-    warning = (
-        f"{name}: an outline crosses itself near {x:.6g}, {y:.6g}; what it shows was outlined anew"
+    notice = Notice(
+        "outlined-anew",
+        f"an outline crosses itself near {x:.6g}, {y:.6g}",
+        name,
+        "what it shows was outlined anew",
     )
-    return _largest_first(found), (warning,)
+    return _largest_first(found), (notice,)
 
 
 def _largest_first(found: list[Region]) -> tuple[Region, ...]:

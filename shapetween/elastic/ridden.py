@@ -11,6 +11,7 @@ from shapetween.attach.riders import Leaver, Rider, Tip, riding
 from shapetween.attach.unroll import matched_along, overturned
 from shapetween.base.arrays import Points
 from shapetween.base.errors import OutlineError
+from shapetween.base.notices import Notice
 from shapetween.elastic.aboard import LonePart, RidingPart
 from shapetween.elastic.flow import Flow, Lane
 from shapetween.elastic.pairing import Thing, pair_things
@@ -45,7 +46,7 @@ def brought(shape: Shape, flow: Flow) -> Thing:
 
 def ride_fill(
     first: Shape, second: Shape, flow: Flow, names: tuple[str, str]
-) -> tuple[RidingPart, tuple[str, ...]]:
+) -> tuple[RidingPart, tuple[Notice, ...]]:
     """Let one filled shape become another while both ride, and what there is to warn of."""
     before, said_a = _regions(first, names[0])
     after, said_b = _regions(second, names[1])
@@ -151,7 +152,7 @@ def ride_lone(
     )
 
 
-def _regions(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[str, ...]]:
+def _regions(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[Notice, ...]]:
     return regions_of(shape, f"{name}: shape {shape.name!r}" if shape.name else name)
 
 

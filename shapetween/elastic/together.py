@@ -7,6 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Mask, Points
 from shapetween.base.errors import OutlineError
+from shapetween.base.notices import Notice
 from shapetween.elastic.aboard import RidingPart, ShownPart
 from shapetween.elastic.fill import FillSettings, morph_fill
 from shapetween.elastic.flow import Flow, drawing_flow, resting_flow
@@ -43,7 +44,7 @@ def move_together(
     names: tuple[str, str],
     *,
     together: bool,
-) -> tuple[tuple[Part, ...], FilledPart | None, tuple[str, ...]]:
+) -> tuple[tuple[Part, ...], FilledPart | None, tuple[Notice, ...]]:
     """The movement between two drawings' shapes.
 
     Parameters
@@ -66,7 +67,7 @@ def move_together(
         In paint order.
     carrier : FilledPart or None
         The silhouette that they ride on.
-    warnings : tuple of str
+    notices : tuple of Notice
     """
     rides = together and settings.folds == "prevent"
     if len(first) == len(second) == 1:
@@ -93,7 +94,7 @@ def move_together(
         barred=hidden[0][:, None] != hidden[1],
     )
     pairing = with_hanging(first, second, pairing)
-    said: list[str] = []
+    said: list[Notice] = []
     pairs: dict[tuple[int, int], tuple[Part, ...]] = {}
     for i, j in pairing.pairs:
         lines = first[i].style.fill is None and second[j].style.fill is None
@@ -173,7 +174,7 @@ def _move_one(
     names: tuple[str, str],
     *,
     rides: bool,
-) -> tuple[tuple[Part, ...], FilledPart | None, tuple[str, ...]]:
+) -> tuple[tuple[Part, ...], FilledPart | None, tuple[Notice, ...]]:
     """Two shapes that are all of their drawings: an area moves by itself, as do open lines."""
     if first.style.fill is not None or second.style.fill is not None:
         part, said = morph_fill(*_areas(first, second), settings, names, alone=True)
@@ -208,7 +209,7 @@ def _areas(first: Shape, second: Shape) -> tuple[Shape, Shape]:
 
 def _ride(
     first: Shape, second: Shape, flow: Flow, names: tuple[str, str]
-) -> tuple[tuple[Part, ...], tuple[str, ...]]:
+) -> tuple[tuple[Part, ...], tuple[Notice, ...]]:
     if first.style.fill is not None or second.style.fill is not None:
         try:
             part, said = ride_fill(*_areas(first, second), flow, names)

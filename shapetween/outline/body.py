@@ -204,6 +204,8 @@ class Carried:
         Share of the inside that follows a quad.
     detail : bool
         Whether all that crosses is fine detail; the coarse shapes do not.
+    bare : bool
+        Whether the meshes alone move the nodes, and nothing keeps them from folding.
     """
 
     nodes: Nodes
@@ -214,6 +216,7 @@ class Carried:
     setting: str
     led: float
     detail: bool = False
+    bare: bool = False
 
     @property
     def counts(self) -> tuple[int, ...]:

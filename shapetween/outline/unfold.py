@@ -186,7 +186,9 @@ def bare(rings: Sequence[RingMatch], method: str) -> Carried:
     t = np.linspace(0, 1, CHECKED_TIMES)
     simple = nodes.simple(t, path.vertices(t))
     crossing = int((~simple[1:-1]).sum())
-    return Carried(nodes, path, crossing, CHECKED_TIMES - 2, False, f"{method} alone", 1.0)
+    return Carried(
+        nodes, path, crossing, CHECKED_TIMES - 2, False, f"{method} alone", 1.0, bare=True
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

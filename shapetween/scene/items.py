@@ -13,6 +13,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OutlineError
+from shapetween.base.notices import Notice
 from shapetween.elastic.regions import Region, regions_of
 from shapetween.geometry.bezier import end_tangents, evaluate
 from shapetween.model.blend import to_oklab
@@ -166,15 +167,15 @@ class Item:
         return replace(self, rings=rings)
 
 
-def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tuple[str, ...]]:
-    """All that can be seen of some shapes, in paint order, and warnings.
+def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tuple[Notice, ...]]:
+    """All that can be seen of some shapes, in paint order, and what there is to tell.
 
     Parameters
     ----------
     shapes : sequence of Shape
         In paint order.
     name : str
-        What warnings call the drawing.
+        What notices call the drawing.
 
     Raises
     ------
@@ -182,7 +183,7 @@ def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tupl
         If nothing of it encloses an area or is stroked.
     """
     items: list[Item] = []
-    said: list[str] = []
+    said: list[Notice] = []
     failure: OutlineError | None = None
     for k, shape in enumerate(shapes):
         called = f"{name}: shape {shape.name!r}" if shape.name else name

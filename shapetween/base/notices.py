@@ -1,0 +1,83 @@
+"""What a user is to be told: what was lost, is doubtful, or was done another way than the best."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+__all__ = ["Kind", "Notice", "distinct"]
+
+Kind: TypeAlias = Literal[
+    "file",
+    "outlined-anew",
+    "uncertain",
+    "other-matching",
+    "crossing",
+    "details-touch",
+    "coarse",
+    "bare-mesh",
+    "apart",
+    "too-many-pieces",
+    "too-many-holes",
+    "hole-lost",
+    "carrier-lost",
+    "no-effect",
+    "facing",
+    "unmatched",
+    "other",
+]
+"""What a notice is about.
+
+file: something in the file cannot be carried. outlined-anew: an outline crosses itself and was
+replaced by what it shows. uncertain: matched with little certainty. other-matching: not the best
+matching was taken. crossing, details-touch: outlines or small details of them cross on the way.
+coarse: matched or moved by a simplified outline. bare-mesh: nothing keeps the outline from folding.
+apart: pieces that could not be kept from passing through each other. too-many-pieces,
+too-many-holes: some are moved more simply. hole-lost: a hole that has no area comes and goes.
+carrier-lost: the drawing moves by scaling alone. no-effect: an option changes nothing.
+facing: the drawings seem to face opposite ways. unmatched: something comes or goes alone.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """One thing to tell.
+
+    Attributes
+    ----------
+    kind : str
+        One of `Kind`.
+    message : str
+        One line without the place.
+    place : str
+        File and shape that it concerns, empty where it is the whole.
+    instead : str
+        What was done instead, or what the user may do, empty if there is nothing.
+    severity : {"warning", "note"}
+        A warning is printed; a note stands in the report only.
+    """
+
+    kind: Kind
+    message: str
+    place: str = ""
+    instead: str = ""
+    severity: Literal["warning", "note"] = "warning"
+
+    def __str__(self) -> str:
+        """All of it as one line."""
+        line = f"{self.place}: {self.message}" if self.place else self.message
+        return f"{line}; {self.instead}" if self.instead else line
+
+    def as_json(self) -> dict[str, str]:
+        """All of it for a report."""
+        return {
+            "kind": self.kind,
+            "severity": self.severity,
+            "place": self.place,
+            "message": self.message,
+            "instead": self.instead,
+        }
+
+
+def distinct(notices: Iterable[Notice]) -> tuple[Notice, ...]:
+    """Each notice once, in order."""
+    return tuple(dict.fromkeys(notices))

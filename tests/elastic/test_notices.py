@@ -1,0 +1,67 @@
+"""Every way around a difficulty is told, as data and as a warning."""
+
+from collections.abc import Sequence
+
+import pytest
+
+from shapetween.base.errors import MeshError
+from shapetween.base.notices import Notice
+from shapetween.elastic import fill
+from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Style
+from shapetween.outline import unfold
+from shapetween.pipeline import prepare
+from tests.drawings import ring, square
+
+BOX = Box(0, 0, 100, 100)
+
+
+def drawing(*rings: Outline) -> Drawing:
+    return Drawing((Shape(rings, Style(fill_rule="evenodd"), "map"),), BOX)
+
+
+def kinds(notices: Sequence[Notice]) -> list[str]:
+    return [notice.kind for notice in notices]
+
+
+def test_a_notice_is_one_line_and_data() -> None:
+    notice = Notice("coarse", "matched coarsely", "a.svg: shape 'x'", "details go along")
+    assert str(notice) == "a.svg: shape 'x': matched coarsely; details go along"
+    assert notice.as_json()["kind"] == "coarse"
+    assert str(Notice("other", "alone")) == "alone"
+
+
+def test_a_plain_pair_has_nothing_to_tell() -> None:
+    prepared = prepare(drawing(square(10, 10, 50)), drawing(square(20, 20, 60)))
+    assert not prepared.notices
+    assert not prepared.warnings
+
+
+def test_a_bare_mesh_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing(*_: object) -> None:
+        raise MeshError("no mesh")
+
+    monkeypatch.setattr(unfold, "plane_mesh", failing)
+    lean = ring([(10.0, 10), (70, 20), (60, 80), (20, 60)])
+    prepared = prepare(drawing(square(10, 10, 50)), drawing(lean))
+    assert "bare-mesh" in kinds(prepared.notices)
+    assert any("folding" in warning for warning in prepared.warnings)
+
+
+def test_more_holes_than_are_matched_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fill, "MOST_HOLES", 1)
+    holes = [square(20 + 30 * k, 40, 15).reversed() for k in range(2)]
+    moved = [square(22 + 30 * k, 44, 15).reversed() for k in range(2)]
+    prepared = prepare(drawing(square(10, 10, 80), *holes), drawing(square(12, 10, 76), *moved))
+    assert "too-many-holes" in kinds(prepared.notices)
+
+
+def test_more_pieces_than_get_meshes_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fill, "MOST_MESHED", 1)
+    prepared = prepare(
+        drawing(square(0, 0, 20), square(50, 50, 30)), drawing(square(0, 5, 20), square(50, 45, 30))
+    )
+    notices = {notice.kind: notice for notice in prepared.notices}
+    assert notices["too-many-pieces"].severity == "note"
+    assert prepared.warnings == ()
