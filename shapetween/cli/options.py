@@ -189,7 +189,7 @@ class Common:
             if self.report is not None:
                 fresh = stack.enter_context(files.fresh_file(self.report))
                 fresh.write_text(json.dumps(report, indent=1) + "\n", "utf-8", newline="\n")
-            put(out, made.content)
+            put(out, made)
         run.close()
         if self.quiet:
             return

@@ -109,7 +109,7 @@ class Moving(ABC):
         place = Path(path)
         writer = writer_of(place)
         made = self.written(writer, write_options(options), name=place.stem)
-        put(place, made.content)
+        put(place, made)
         return made.warnings
 
     def _text(self, ending: str, options: dict[str, Any]) -> str:

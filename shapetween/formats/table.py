@@ -5,7 +5,7 @@ file. To add a format, write a module here with such a function, and put it into
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
@@ -58,10 +58,21 @@ class Segments:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Written:
-    """What a writer has made, and what of the movement its format could not hold."""
+    """What a writer has made.
+
+    Attributes
+    ----------
+    content : str, bytes or callable
+        Of the file.
+    warnings : tuple of str
+        What of the movement its format could not hold, one line each.
+    beside : Mapping
+        Texts of files that go with it, by the ending that takes the place of the file's own.
+    """
 
     content: Content
     warnings: tuple[str, ...] = ()
+    beside: Mapping[str, str] = field(default_factory=dict)
 
 
 class WriterFunction(Protocol):
@@ -136,6 +147,8 @@ def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
     yield Writer(".svg", "an animated SVG", svg, (*_TIMING, "keyframes", "precision"))
+    home = "shapetween.formats.module.writer:module"
+    yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision"))
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
@@ -176,8 +189,12 @@ def writer_of(path: Path) -> Writer:
     return WRITERS.get(form, WRITERS[".svg"])
 
 
-def put(path: Path, content: Content) -> None:
-    """Write a content to its place, whole or not at all."""
+def put(path: Path, made: Written) -> None:
+    """Write what has been made to its place, whole or not at all; a device has nothing beside."""
+    content = made.content
+    if not files.is_device(path):
+        for ending, text in made.beside.items():
+            files.write_text(path.with_suffix(ending), text)
     if isinstance(content, str):
         files.write_text(path, content)
     elif isinstance(content, bytes):
