@@ -16,7 +16,7 @@ from shapetween.cli.options import (
     loop_option,
     out_option,
 )
-from shapetween.cli.values import PATH, Keyframes, Real, Size, Whole
+from shapetween.cli.values import PATH, Keyframes, Name, Real, Size, Whole
 from shapetween.io.progress import Progress
 
 __all__ = ["frames", "mesh", "morph"]
@@ -72,6 +72,14 @@ BACKGROUND = click.option(
     help="How many shapes to write; auto takes as many as smooth movement needs.",
 )
 @PRECISION
+@click.option(
+    "--start",
+    type=Name("load", "click", "hover", "seen", "scroll", "drag"),
+    default="load",
+    show_default=True,
+    help="What sets it going, in .mjs: the page, a click and back on the next, a pointer over it, "
+    "being seen, being scrolled past, or being dragged across.",
+)
 @click.option(
     "--fps",
     type=Real(0.01, 240),

@@ -85,6 +85,10 @@ class Moving(ABC):
         """
         return self._text(".svg", options)
 
+    def module(self, **options: Any) -> str:
+        """All of it as the text of a JavaScript module; `options` as for `write`."""
+        return self._text(".mjs", options)
+
     def write(self, path: str | PathLike[str], **options: Any) -> tuple[str, ...]:
         """Write all of it to a file, in the format of its ending.
 

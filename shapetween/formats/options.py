@@ -9,7 +9,10 @@ from typing import Any, Literal
 from shapetween.base.errors import OptionError
 from shapetween.timing import defaults
 
-__all__ = ["WriteOptions", "write_names", "write_options"]
+__all__ = ["STARTS", "WriteOptions", "write_names", "write_options"]
+
+#: What can set a movement going; an SVG by itself has only the first three.
+STARTS = ("load", "click", "hover", "seen", "scroll", "drag")
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +38,9 @@ class WriteOptions:
         of what is drawn where that is smaller.
     frames : int
         How many separate frames from each drawing to the next, both counted.
+    start : {"load", "click", "hover", "seen", "scroll", "drag"}
+        What sets it going: the page, a click, with the next one going back, a pointer over it,
+        being seen, being scrolled past, or being dragged across.
     fps : float, optional
         Frames a second of moving pictures; `shapetween.timing.defaults.FPS` if left out.
     size : (width, height) or (width,), optional
@@ -50,6 +56,7 @@ class WriteOptions:
     keyframes: Literal["auto"] | int = "auto"
     precision: int | None = None
     frames: int = 24
+    start: Literal["load", "click", "hover", "seen", "scroll", "drag"] = "load"
     fps: float | None = None
     size: tuple[int, ...] | None = None
     background: str | None = None
@@ -77,6 +84,8 @@ class WriteOptions:
             )
         if not _whole(self.frames, 1, defaults.MOST_FRAMES):
             raise OptionError(f"{self.frames} frames: expected from 1 to {defaults.MOST_FRAMES}")
+        if self.start not in STARTS:
+            raise OptionError(f"start {self.start!r}: expected {', '.join(STARTS)}")
         if self.fps is not None and not 0 < self.fps < float("inf"):
             raise OptionError(f"fps {self.fps}: expected frames a second, above 0")
         if self.size is not None and not (

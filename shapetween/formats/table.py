@@ -5,6 +5,7 @@ file. To add a format, write a module here with such a function, and put it into
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
@@ -147,11 +148,11 @@ def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
     yield Writer(".svg", "an animated SVG", svg, (*_TIMING, "keyframes", "precision"))
-    home = "shapetween.formats.module.writer:module"
-    yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision"))
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
+    home = "shapetween.formats.module.writer:module"
+    yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
 
 
 WRITERS: Mapping[str, Writer] = MappingProxyType({writer.ending: writer for writer in _writers()})
@@ -192,13 +193,14 @@ def writer_of(path: Path) -> Writer:
 def put(path: Path, made: Written) -> None:
     """Write what has been made to its place, whole or not at all; a device has nothing beside."""
     content = made.content
-    if not files.is_device(path):
-        for ending, text in made.beside.items():
-            files.write_text(path.with_suffix(ending), text)
-    if isinstance(content, str):
-        files.write_text(path, content)
-    elif isinstance(content, bytes):
-        with files.fresh_file(path) as fresh:
-            fresh.write_bytes(content)
-    else:
-        content(path)
+    with ExitStack() as stack:  # what goes beside appears only once the file has been written
+        for ending, text in made.beside.items() if not files.is_device(path) else ():
+            fresh = stack.enter_context(files.fresh_file(path.with_suffix(ending)))
+            fresh.write_text(text, "utf-8", newline="\n")
+        if isinstance(content, str):
+            files.write_text(path, content)
+        elif isinstance(content, bytes):
+            with files.fresh_file(path) as fresh:
+                fresh.write_bytes(content)
+        else:
+            content(path)

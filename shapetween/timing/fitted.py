@@ -93,7 +93,7 @@ def _spread(cumulated: Floats, times: Floats, count: int) -> Floats:
     span = times[-1] - times[0]
     rounded = times[0] + np.round((knots - times[0]) / span, KNOT_DECIMALS) * span
     rounded[0], rounded[-1] = times[0], times[-1]
-    return rounded
+    return np.asarray(rounded)
 
 
 def _fitted(flat: Floats, weights: Floats) -> Floats:

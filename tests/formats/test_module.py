@@ -5,10 +5,11 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from shapetween.base.arrays import Floats
 from shapetween.formats.module.writer import module, module_text
-from shapetween.formats.options import WriteOptions
+from shapetween.formats.options import STARTS, WriteOptions
 from shapetween.formats.table import Segments
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.drawing import Box
@@ -170,3 +171,14 @@ def test_types_stand_beside_it(tmp_path: Path) -> None:
         re.MULTILINE,
     )
     assert exported == set(declared)
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_every_start_has_its_code_and_no_other(tmp_path: Path, start: str) -> None:
+    segments = Segments((sample_movement(),))
+    text = module_text(segments, WriteOptions(start=start))  # type: ignore[arg-type]
+    assert text.count("const begin=") == 1
+    (tmp_path / "out.mjs").write_text(text, "utf-8")
+    assert run_node(
+        'import * as m from "./out.mjs"; console.log(typeof m.play == "function")', tmp_path
+    )

@@ -48,7 +48,8 @@ class Basis:
     def at(self, times: Floats) -> Floats:
         """What the terms add to the points, (S, P, 2)."""
         weights = spline_weights(times, self.functions.shape[1]) @ self.functions.T
-        return np.einsum("sr,rpd->spd", weights * self.scales, self.fields.astype(np.float64))
+        fields = self.fields.astype(np.float64)
+        return np.asarray(np.einsum("sr,rpd->spd", weights * self.scales, fields))
 
 
 def fit_basis(rest: Floats, times: Floats, weights: Floats, tolerance: float) -> Basis:
@@ -71,7 +72,7 @@ def fit_basis(rest: Floats, times: Floats, weights: Floats, tolerance: float) ->
         return _rounded(functions, fields, weights, 1.0, tolerance)
     for steps in KNOTS:
         matrix = spline_weights(times, steps + 1)
-        knots = np.linalg.lstsq(matrix, functions, rcond=None)[0]
+        knots = np.asarray(np.linalg.lstsq(matrix, functions, rcond=None)[0], np.float64)
         last = steps == KNOTS[-1]
         if last or _error(matrix @ knots @ fields - flat) <= tolerance * BY_SPLINES:
             break

@@ -90,7 +90,7 @@ def _elements(style: Style, decimals: int) -> list[_Element]:
     for name, value in attributes.items():
         if value.startswith("url("):
             attributes[name] = f"url(#{value.removesuffix(')').rsplit('-')[-1]})"
-    gradients = [
+    gradients: list[_Element] = [
         (
             element.tag,
             {name: value for name, value in element.attrib.items() if name != "id"},

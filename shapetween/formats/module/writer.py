@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Floats, Index
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.grid import Grid, grid_of
 from shapetween.formats.module.basis import fit_basis
@@ -83,7 +83,7 @@ def module_text(segments: Segments, options: WriteOptions) -> str:
         "const legs": legs,
     }
     lines = [f"{name}={_json(value)};" for name, value in constants.items()]
-    blocks = {"always", "still paint" if still else "moving paint", "start load"}
+    blocks = {"always", "still paint" if still else "moving paint", f"start {options.start}"}
     return HEAD + "\n".join(lines) + "\n" + runtime(blocks)
 
 
@@ -136,7 +136,7 @@ def _curves(shape: Sampled, times: Floats, grid: Grid, tolerance: float) -> tupl
     return vlq(stream), [_short(scale) for scale in basis.scales.tolist()]
 
 
-def _differences(field: Floats) -> list[int]:
+def _differences(field: Index) -> list[int]:
     """Whole numbers (P, 2) as each point's difference from the one before."""
     return [int(v) for v in np.diff(field, axis=0, prepend=np.zeros((1, 2), field.dtype)).ravel()]
 

@@ -1,0 +1,108 @@
+"""What sets a module's movement going."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from shapetween.formats.module.writer import module_text
+from shapetween.formats.options import STARTS, WriteOptions
+from shapetween.formats.table import Segments
+from tests.browser import Browser, chromium
+from tests.movements import sample_movement
+
+pytestmark = pytest.mark.browser
+
+#: Shows the module in a box 1,000 px below the top of a long page.
+SHOW = """async text => {
+    const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    const { play } = await import(url);
+    window.animation = play("#box");
+}"""
+
+PAGE = "<body style='margin:0;height:3000px'><div id=box style='width:200px;height:200px;{}'></div>"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as opened:
+        yield opened
+
+
+def show(browser: Browser, start: str, style: str = "") -> None:
+    text = module_text(
+        Segments((sample_movement(),)),
+        WriteOptions(duration=0.5, start=start),  # type: ignore[arg-type]
+    )
+    browser.page.set_viewport_size({"width": 400, "height": 400})
+    browser.page.mouse.move(300, 300)
+    browser.page.set_content(PAGE.format(style))
+    browser.page.evaluate(SHOW, text)
+
+
+PROGRESS = "animation.effect.getComputedTiming().progress"
+
+
+def state(browser: Browser) -> tuple[str, float]:
+    browser.page.wait_for_timeout(100)
+    told = browser.page.evaluate(f"[animation.playState, {PROGRESS}]")
+    return told[0], told[1]
+
+
+def finished(browser: Browser) -> float:
+    """Where the movement is when it has run and stopped."""
+    browser.page.wait_for_function("animation.playState == 'running'", timeout=5000)
+    browser.page.wait_for_function("animation.playState == 'finished'", timeout=5000)
+    return float(browser.page.evaluate(PROGRESS))
+
+
+@pytest.mark.parametrize("start", STARTS[1:])
+def test_nothing_moves_before_its_time(browser: Browser, start: str) -> None:
+    show(browser, start, "position:absolute;top:1000px")
+    assert state(browser) == ("paused", 0)
+
+
+def test_a_click_starts_and_the_next_goes_back(browser: Browser) -> None:
+    show(browser, "click")
+    browser.page.mouse.click(100, 100)
+    assert finished(browser) == 1
+    browser.page.mouse.click(100, 100)
+    assert finished(browser) == 0
+    browser.page.mouse.click(100, 100)
+    assert finished(browser) == 1
+
+
+def test_a_pointer_starts_and_leaving_goes_back(browser: Browser) -> None:
+    show(browser, "hover")
+    browser.page.mouse.move(100, 100)
+    assert finished(browser) == 1
+    browser.page.mouse.move(300, 300)
+    assert finished(browser) == 0
+
+
+def test_being_seen_starts(browser: Browser) -> None:
+    show(browser, "seen", "position:absolute;top:1000px")
+    browser.page.mouse.wheel(0, 900)
+    assert finished(browser) == 1
+
+
+def test_scrolling_moves(browser: Browser) -> None:
+    show(browser, "scroll", "position:absolute;top:1000px")
+    browser.page.evaluate(
+        "scrollTo(0, 900)"
+    )  # its top is at 100 of 400, on its way from 400 to -200
+    assert state(browser)[1] == pytest.approx(0.5)
+    browser.page.evaluate("scrollTo(0, 2000)")
+    assert state(browser) == ("paused", 1)
+
+
+def test_dragging_moves(browser: Browser) -> None:
+    show(browser, "drag")
+    browser.page.mouse.move(20, 100)
+    browser.page.mouse.down()
+    browser.page.mouse.move(150, 100)
+    assert state(browser)[1] == pytest.approx(0.75)
+    browser.page.mouse.move(300, 100)
+    browser.page.mouse.up()
+    assert state(browser) == ("paused", 1)
+    browser.page.mouse.move(20, 100)
+    assert state(browser) == ("paused", 1)
