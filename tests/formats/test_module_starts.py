@@ -48,11 +48,10 @@ def state(browser: Browser) -> tuple[str, float]:
     return told[0], told[1]
 
 
-def finished(browser: Browser) -> float:
-    """Where the movement is when it has run and stopped."""
-    browser.page.wait_for_function("animation.playState == 'running'", timeout=5000)
-    browser.page.wait_for_function("animation.playState == 'finished'", timeout=5000)
-    return float(browser.page.evaluate(PROGRESS))
+def assert_runs_to(browser: Browser, end: int) -> None:
+    """Wait until the movement has run to an end and stopped there."""
+    there = f"animation.playState == 'finished' && {PROGRESS} == {end}"
+    browser.page.wait_for_function(there, timeout=10_000)
 
 
 @pytest.mark.parametrize("start", STARTS[1:])
@@ -64,25 +63,25 @@ def test_nothing_moves_before_its_time(browser: Browser, start: str) -> None:
 def test_a_click_starts_and_the_next_goes_back(browser: Browser) -> None:
     show(browser, "click")
     browser.page.mouse.click(100, 100)
-    assert finished(browser) == 1
+    assert_runs_to(browser, 1)
     browser.page.mouse.click(100, 100)
-    assert finished(browser) == 0
+    assert_runs_to(browser, 0)
     browser.page.mouse.click(100, 100)
-    assert finished(browser) == 1
+    assert_runs_to(browser, 1)
 
 
 def test_a_pointer_starts_and_leaving_goes_back(browser: Browser) -> None:
     show(browser, "hover")
     browser.page.mouse.move(100, 100)
-    assert finished(browser) == 1
+    assert_runs_to(browser, 1)
     browser.page.mouse.move(300, 300)
-    assert finished(browser) == 0
+    assert_runs_to(browser, 0)
 
 
 def test_being_seen_starts(browser: Browser) -> None:
     show(browser, "seen", "position:absolute;top:1000px")
     browser.page.mouse.wheel(0, 900)
-    assert finished(browser) == 1
+    assert_runs_to(browser, 1)
 
 
 def test_scrolling_moves(browser: Browser) -> None:

@@ -223,8 +223,8 @@ const begin = (animation, root) => {
 //: start hover
 const begin = (animation, root) => {
   animation.pause();
-  root.addEventListener("pointerenter", () => turn(animation, true));
-  root.addEventListener("pointerleave", () => turn(animation, false));
+  root.addEventListener("mouseenter", () => turn(animation, true));
+  root.addEventListener("mouseleave", () => turn(animation, false));
 };
 
 //: start click, start hover
