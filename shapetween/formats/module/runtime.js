@@ -252,14 +252,15 @@ const byHand = animation => {
 const begin = (animation, root) => {
   const reach = byHand(animation);
   root.style.touchAction = "pan-y";
+  root.style.userSelect = "none";
   const follow = event => {
     const box = root.getBoundingClientRect();
-    event.buttons && reach((event.clientX - box.left) / box.width);
+    reach((event.clientX - box.left) / box.width);
   };
-  root.addEventListener("pointermove", follow);
   root.addEventListener("pointerdown", event => {
-    root.setPointerCapture(event.pointerId);
     follow(event);
+    addEventListener("pointermove", follow);
+    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => removeEventListener("pointermove", follow));
   });
 };
 
