@@ -36,6 +36,7 @@ def show(browser: Browser, start: str, style: str = "") -> None:
     browser.page.set_viewport_size({"width": 400, "height": 400})
     browser.page.mouse.move(300, 300)
     browser.page.set_content(PAGE.format(style))
+    browser.page.evaluate("scrollTo(0, 0)")
     browser.page.evaluate(SHOW, text)
 
 
