@@ -1,6 +1,6 @@
 """From two drawings to the movement between them, one stage after another."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, get_args
 
 import numpy as np
@@ -12,15 +12,16 @@ from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
 from shapetween.elastic.aboard import LonePart, RidingPart, unrepeated
-from shapetween.elastic.fill import FillSettings
+from shapetween.elastic.fill import FillSettings, morph_fill
 from shapetween.elastic.parts import FilledPart
-from shapetween.elastic.paths import plain_shapes
-from shapetween.elastic.together import move_together
 from shapetween.interpolate import check_method
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, fit_matrix, mapped
 from shapetween.model.movement import Movement, Part
+from shapetween.scene.items import items_of
+from shapetween.scene.motion.tracks import Elastic
+from shapetween.scene.movement import PairPart, SceneMovement, move_scene
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -50,8 +51,8 @@ class Options:
     folds : {"prevent", "allow"}
         Whether the plane around a shape moves along so that nothing folds, or the bare mesh moves.
     together : bool
-        Whether the shapes of a drawing ride on the movement of its silhouette; else each moves by
-        itself, as it does where bare meshes move.
+        Whether the parts of a drawing move as they are seen together; else every area moves by a
+        mesh of its own, as all do where meshes are given.
     """
 
     method: str = "projective"
@@ -85,6 +86,8 @@ class Prepared:
         From the second drawing's user units to the movement's.
     notices : tuple of Notice
         What was lost, is doubtful, or was done another way.
+    scene : SceneMovement or None
+        How the drawings' parts were seen and paired; None of single areas.
     carrier : FilledPart or None
         The silhouette that a drawing of several shapes rides on; it is not drawn.
     """
@@ -92,6 +95,7 @@ class Prepared:
     movement: Movement
     fit: Affine
     notices: tuple[Notice, ...]
+    scene: SceneMovement | None = None
     carrier: FilledPart | None = None
 
     @property
@@ -102,8 +106,13 @@ class Prepared:
     @property
     def filled(self) -> tuple[FilledPart, ...]:
         """What has meshes: the carrier, and parts that move by themselves."""
-        own = (part for part in unrepeated(self.movement.parts) if isinstance(part, FilledPart))
-        return (*([self.carrier] if self.carrier else []), *own)
+        own: list[FilledPart] = [self.carrier] if self.carrier else []
+        for part in unrepeated(self.movement.parts):
+            if isinstance(part, FilledPart):
+                own.append(part)
+            elif isinstance(part, PairPart) and part.frame is None:
+                own += [track.part for track in part.tracks if isinstance(track, Elastic)]
+        return tuple(own)
 
     @property
     def riding(self) -> tuple[RidingPart, ...]:
@@ -143,23 +152,22 @@ def prepare(
     chosen = Options() if options is None else options
     with observe("fit"):
         matrix = fit_matrix(source, target, chosen.fit)
-        shapes = plain_shapes(
-            source.shapes, target.transformed(matrix).shapes, sum(chosen.matches, ())
-        )
+        shapes = source.shapes, target.transformed(matrix).shapes
         settled = _settled(*shapes, chosen.matches)
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)
     pins[:, 2:] = mapped(pins[:, 2:], matrix)
     meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
-    settings = FillSettings(chosen.method, chosen.folds, chosen.quads, pins, meshes, observe)
+    meshed = bool(meshes) or not chosen.together
+    settings = FillSettings(
+        chosen.method, chosen.folds, chosen.quads, pins, meshes, observe, meshed
+    )
     notices = [
         Notice("file", warning, name)
         for name, drawing in zip(names, (source, target), strict=True)
         for warning in drawing.warnings
     ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
-    parts, carrier, said = move_together(
-        *shapes, boxes, settled, settings, names, together=chosen.together
-    )
+    parts, said, scene = _moved(source.shapes, shapes[1], boxes, settled, settings, names)
     notices += said
     settings.check_used()
     if chosen.folds == "prevent":
@@ -167,7 +175,30 @@ def prepare(
             notices += _of_riders(parts)
     title = " to ".join(t for t in (source.title, target.title) if t)
     movement = Movement(parts, source.box, title)
-    return Prepared(movement, matrix, distinct(notices), carrier)
+    return Prepared(movement, matrix, distinct(notices), scene)
+
+
+def _moved(
+    first: tuple[Shape, ...],
+    second: tuple[Shape, ...],
+    boxes: tuple[Points, Points],
+    settled: list[tuple[int, int]],
+    settings: FillSettings,
+    names: tuple[str, str],
+) -> tuple[tuple[Part, ...], tuple[Notice, ...], SceneMovement | None]:
+    """All parts: a single area that becomes another by the outline engine, else a scene's."""
+    found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
+    (one, said), (other, more) = found
+    if len(one) == len(other) == 1 and one[0].filled and other[0].filled:
+        areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
+        part, said = morph_fill(areas[0], areas[1], settings, names, alone=True)
+        return (part,), said, None
+    scene = move_scene(one, other, boxes, settled, settings, names)
+    return scene.parts, (*said, *more, *scene.notices), scene
+
+
+def _closed(shape: Shape) -> Shape:
+    return replace(shape, rings=tuple(ring.close() for ring in shape.rings))
 
 
 def _of_riders(parts: tuple[Part, ...]) -> list[Notice]:

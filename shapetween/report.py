@@ -14,6 +14,8 @@ from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh.pair import MeshPair
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.pipeline import Prepared
+from shapetween.scene.items import Item
+from shapetween.scene.movement import SceneMovement
 
 __all__ = ["build", "build_chain", "mesh_figures"]
 
@@ -35,6 +37,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
             for body in part.bodies
             for ring in body.nodes.rings
         ],
+        "parts": [] if prepared.scene is None else _parts(prepared.scene),
         "riding": [_riding(part) for part in prepared.riding],
         "warnings": list(prepared.warnings),
         "notices": [notice.as_json() for notice in prepared.notices],
@@ -59,7 +62,7 @@ def build_chain(
         "version": legs[0]["version"],
         "method": legs[0]["method"],
         "legs": [
-            {"from": start, "to": end, "rings": leg["rings"], "riding": leg["riding"]}
+            {"from": start, "to": end} | {key: leg[key] for key in ("rings", "parts", "riding")}
             for leg, (start, end) in zip(legs, pairwise(names), strict=True)
         ],
         "warnings": list(warnings),
@@ -86,6 +89,34 @@ def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
             "confidence": matching.confidence,
         },
     }
+
+
+def _parts(scene: SceneMovement) -> list[dict[str, Any]]:
+    """Who became whom, at what cost, and what stayed alone."""
+    a, b = scene.scenes
+    found: list[dict[str, Any]] = [
+        {
+            "from": _item(a.items[role.first], role.first),
+            "to": _item(b.items[role.second], role.second),
+            "cost": _number(role.cost),
+            "reason": role.reason,
+        }
+        for role in scene.roles.pairs
+    ]
+    found += [
+        {"from": _item(a.items[k], k), "to": None, "cost": _number(cost), "reason": "alone"}
+        for k, cost in zip(scene.roles.leavers, scene.roles.left, strict=True)
+    ]
+    found += [
+        {"from": None, "to": _item(b.items[k], k), "cost": _number(cost), "reason": "alone"}
+        for k, cost in zip(scene.roles.comers, scene.roles.come, strict=True)
+    ]
+    return found
+
+
+def _item(item: Item, number: int) -> dict[str, Any]:
+    """How a part is called: by its place in the paint order, its shape and that one's name."""
+    return {"part": number + 1, "shape": item.shape + 1, "name": item.name}
 
 
 def _riding(part: RidingPart) -> dict[str, Any]:

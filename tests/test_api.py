@@ -83,7 +83,7 @@ def test_meshes_of_several_pieces_go_round() -> None:
     """Pieces of one shape share its id; each gets its own mesh back, in order."""
     inputs = Path(__file__).resolve().parents[1] / "gallery" / "inputs"
     pair = inputs / "run.svg", inputs / "walk.svg"
-    moved = st.morph(*pair)
+    moved = st.morph(*pair, together=False)
     assert len(moved.meshes) > 1
     again = st.morph(*pair, mesh=load_meshes(moved.mesh_json(), "mesh.json"))
     for (_, first), (_, second) in zip(moved.meshes, again.meshes, strict=True):

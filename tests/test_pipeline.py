@@ -9,15 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.attach.passengers import Passenger
-from shapetween.attach.riders import Leaver
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.base.errors import OptionError, OutlineError
-from shapetween.elastic.aboard import LonePart, RidingPart
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
 from shapetween.model.drawing import Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.scene.movement import PairPart
+from shapetween.scene.presence import LonePart
 from tests.drawings import area, drawing, line, ring, square
 from tests.mesh.pairs import untangled
 from tests.movements import circle
@@ -106,42 +106,45 @@ def test_one_structure_throughout(many: Prepared, ring_to_frame: Prepared) -> No
 def test_both_ends_are_the_drawings_in_their_paint_order(many: Prepared) -> None:
     first, last = many.movement.at(np.array([0.0, 1.0]))
     for frame in (first, last):
-        assert [shape.name for shape in frame.shapes] == ["back", "eyes", "smile", "comes", "post"]
-    by_name = {shape.name: shape for shape in first.shapes}
-    assert by_name["back"].style.fill == RED
-    assert same_area(by_name["back"], area(disc(50, 50, 40))) < 1e-3
-    eyes = area(square(20, 20, 10), square(23, 23, 4), square(40, 20, 8))
-    assert same_area(by_name["eyes"], eyes) < 1e-3
-    by_name = {shape.name: shape for shape in last.shapes}
-    assert by_name["back"].style.fill == BLUE
-    assert same_area(by_name["eyes"], area(disc(26, 26, 6))) < 1e-3
-    assert same_area(by_name["comes"], area(square(45, 2, 5))) < 1e-9
+        names = [shape.name for shape in frame.shapes]
+        assert names == ["back", "eyes", "", "smile", "comes", "post"]
+    back, *eyes, _, comes, post = first.shapes
+    assert back.style.fill == RED
+    assert same_area(back, area(disc(50, 50, 40))) < 1e-3
+    seen = [shown(eye).area for eye in eyes]
+    assert sorted(seen) == pytest.approx([64, 100 - 16])
+    assert comes.style.opacity == post.style.opacity == 0
+    back, *eyes, _, comes, post = last.shapes
+    assert back.style.fill == BLUE
+    (eye,) = (eye for eye in eyes if eye.style.opacity)
+    assert same_area(eye, area(disc(26, 26, 6))) < 1e-3
+    assert same_area(comes, area(square(45, 2, 5))) < 1e-9
+    assert post.style.opacity == 1
 
 
 def test_kinds_of_parts(many: Prepared) -> None:
-    kinds = {part.name: type(part) for part in many.movement.parts}
-    assert kinds == {
-        "back": RidingPart,
-        "eyes": RidingPart,
-        "smile": RidingPart,
-        "comes": LonePart,
-        "post": LonePart,
-    }
-    assert many.carrier is not None
-    assert many.filled == (many.carrier,)
+    kinds = [(part.name, type(part)) for part in many.movement.parts]
+    assert kinds == [
+        ("back", PairPart),
+        ("eyes", PairPart),
+        ("", LonePart),
+        ("smile", PairPart),
+        ("comes", LonePart),
+        ("post", LonePart),
+    ]
 
 
-def test_shapes_without_a_partner_open_from_a_point(many: Prepared) -> None:
+def test_shapes_without_a_partner_are_not_seen_where_they_are_not(many: Prepared) -> None:
     parts = {part.name: part for part in many.movement.parts}
     for name in ("comes", "post"):
-        curves = parts[name].curves(np.array([0.0, 0.5, 1.0]))
-        nothing, half, whole = (np.ptp(c.reshape(-1, 2), axis=0) for c in curves)
-        assert nothing.max() < 1e-9
-        # Half way it is about half as large: the plane that it rides on stretches it too.
-        np.testing.assert_allclose(half.max(), whole.max() / 2, rtol=0.25)
-    # A line that grows from its end is soon as wide as it will be.
-    strokes = [parts["post"].style(t).stroke for t in (0.0, 0.125, 0.25, 1.0)]
-    assert [stroke.width for stroke in strokes if stroke] == [0.0, 1.0, 2.0, 2.0]
+        seen = [parts[name].style(t).opacity for t in (0.0, 0.3, 0.9, 1.0)]
+        assert seen[:2] == [0.0, 0.0]
+        assert seen[3] == 1.0
+        assert seen[2] > 0.8
+    # A line is drawn along itself, in its full width.
+    late = parts["post"].curves(np.array([0.75]))
+    assert 5 < np.ptp(late.reshape(-1, 2), axis=0).max() < 89
+    assert {parts["post"].style(t).stroke.width for t in (0.1, 0.8)} == {2.0}  # type: ignore[union-attr]
 
 
 def test_newcomers_stand_above_what_they_stand_above_and_leavers_stay_in_place() -> None:
@@ -153,24 +156,19 @@ def test_newcomers_stand_above_what_they_stand_above_and_leavers_stay_in_place()
             assert [shape.name for shape in frame.shapes] == list("abcde")
         (frame,) = movement.at(np.array([gone]))
         for shape in frame.shapes:
-            extent = np.ptp(shape.rings[0].box, axis=0).max()
-            assert extent == pytest.approx(8 if shape.name in "bd" else 0, abs=1e-9)
+            assert shape.style.opacity == (shape.name in "bd")
 
 
-def test_pieces_without_a_partner_stay_inside_the_drawing(many: Prepared) -> None:
-    """One eye of two, and the hole of the other, close to a point where they are."""
-    (part,) = (p for p in many.movement.parts if p.name == "eyes" and isinstance(p, RidingPart))
-    leavers = [rider for rider in part.riders if isinstance(rider, Leaver)]
-    assert len(leavers) == 2
-    for leaver in leavers:
-        start, end = leaver.curves(np.array([0.0, 1.0]))
-        np.testing.assert_array_equal(start, leaver.home)
-        assert np.ptp(end.reshape(-1, 2), axis=0).max() < 1e-9
+def test_pieces_without_a_partner_stay_where_they_are(many: Prepared) -> None:
+    """One eye of two fades on the face, and the hole of the other closes where it is."""
+    gone = next(part for part in many.movement.parts if isinstance(part, LonePart))
+    boxes = gone.curves(T)[:, :, 0]
+    assert boxes.min() > 19
+    assert boxes.max() < 49
     for frame in many.movement.at(T[:-1]):
-        eyes = next(shape for shape in frame.shapes if shape.name == "eyes")
-        outer = [polygon(r) for r in eyes.rings if r.area > 0]
-        (hole,) = (polygon(r) for r in eyes.rings if r.area < 0)
-        assert any(piece.buffer(1e-9).contains(hole) for piece in outer)
+        (eye,) = (s for s in frame.shapes if s.name == "eyes")
+        outer, hole = (polygon(r) for r in eye.rings)
+        assert outer.buffer(1e-9).contains(hole)
 
 
 def test_a_hole_that_arrives_stays_inside_the_moving_body() -> None:
@@ -194,7 +192,7 @@ def test_a_hole_that_arrives_stays_inside_the_moving_body() -> None:
 def test_names_matched_by_the_user() -> None:
     first = drawing(area(square(10, 10, 20), name="a"), area(square(60, 60, 20), name="b"))
     second = drawing(area(square(10, 10, 20), name="c"), area(square(60, 60, 20), name="d"))
-    prepared = prepare(first, second, Options(matches=(("a", "d"),), folds="allow"))
+    prepared = prepare(first, second, Options(matches=(("a", "d"), ("b", "c")), folds="allow"))
     last = {s.name: s for s in prepared.movement.at(np.array([1.0]))[0].shapes}
     assert same_area(last["a"], second.shapes[1]) < 1e-9
     assert same_area(last["b"], second.shapes[0]) < 1e-9
@@ -218,7 +216,8 @@ def test_names_that_cannot_be_matched(matches: tuple[tuple[str, str], ...], says
 def test_a_stroke_becomes_an_area_through_its_outline() -> None:
     stroked = line((20, 50), (80, 50), width=10)
     prepared = prepare(drawing(stroked), drawing(area(square(30, 30, 40))))
-    (part,) = prepared.filled
+    (part,) = prepared.movement.parts
+    assert isinstance(part, PairPart)
     first, last = prepared.movement.at(np.array([0.0, 1.0]))
     assert same_area(first.shapes[0], area(ring([(20, 45), (80, 45), (80, 55), (20, 55)]))) < 1e-6
     assert same_area(last.shapes[0], area(square(30, 30, 40))) < 1e-6
@@ -236,17 +235,17 @@ def test_a_filled_line_is_filled_and_stroked() -> None:
     assert [r.closed for r in (*filled.rings, *stroked.rings)] == [True, False]
 
 
-def test_where_one_side_has_more_lines_they_grow_from_their_ends() -> None:
+def test_where_one_side_has_more_lines_they_are_drawn() -> None:
     one = line((20, 50), (80, 50))
     two = replace(one, rings=(*line((20, 48), (80, 48)).rings, *line((20, 70), (80, 70)).rings))
     for first, second, gone in ((one, two, 0.0), (two, one, 1.0)):
         pair, lone = prepare(drawing(first), drawing(second)).movement.parts
-        assert isinstance(pair, RidingPart)
+        assert isinstance(pair, PairPart)
         assert isinstance(lone, LonePart)
         assert pair.rings == lone.rings == (1,)
-        nothing, some = lone.curves(np.array([gone, 0.5]))
-        assert np.ptp(nothing.reshape(-1, 2), axis=0).max() < 1e-9
-        assert np.ptp(some.reshape(-1, 2), axis=0).max() == pytest.approx(30, rel=0.2)
+        assert lone.style(gone).opacity == 0
+        (some,) = lone.curves(np.array([0.75 if gone == 0 else 0.25]))
+        assert 10 < np.ptp(some.reshape(-1, 2), axis=0).max() < 55
 
 
 def test_what_cannot_be_used_is_said() -> None:

@@ -73,6 +73,8 @@ class FillSettings:
     meshes : sequence of (str, MeshPair)
         In the movement's frame, by name of shape.
     observe : Observer
+    meshed : bool
+        Whether every area moves by a mesh of its own, whatever simpler way there is.
     """
 
     method: str
@@ -81,6 +83,7 @@ class FillSettings:
     pins: Points
     meshes: Sequence[tuple[str, MeshPair]]
     observe: Observer
+    meshed: bool = False
     used_pins: set[int] = field(default_factory=set)
     used_meshes: set[int] = field(default_factory=set)
 

@@ -15,7 +15,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import polar, rotations
 from shapetween.outline.matched import Pieces
 
-__all__ = ["Carrier", "affine_between"]
+__all__ = ["Carrier", "Joints", "affine_between"]
 
 #: Joints that turn by less than this at both ends, in radians, are kept smooth on the way.
 SMOOTH_KINK = np.deg2rad(20.0)
@@ -135,7 +135,7 @@ class Carrier:
         if ordered:
             stretch = np.sqrt(np.linalg.det(stretch)) * np.eye(2)
         self._angle, self._affine = angle, LinearMaps.of(rotations(angle) @ stretch)
-        self._joints = _Joints.of(pieces)
+        self._joints = Joints.of(pieces.source, pieces.target)
 
     def _along(self, nodes: Complex) -> Complex:
         """Points of the chords at each control point's share of the span, (..., P, 4)."""
@@ -211,7 +211,7 @@ def _squeezed(along: Complex, shares: Floats) -> LinearMaps:
     return LinearMaps(kept, np.asarray(-stretch, dtype=np.complex128))
 
 
-class _Joints:
+class Joints:
     """Joints whose handles are turned on the way, and what each handle may do.
 
     Those that are smooth at both ends stay so. Where a handle has no length at one end, it grows
@@ -225,18 +225,20 @@ class _Joints:
         self._slack = slack
 
     @classmethod
-    def of(cls, pieces: Pieces) -> "_Joints":
-        both = np.stack([pieces.source, pieces.target])
+    def of(cls, source: Curves, target: Curves, *, closed: bool = True) -> "Joints":
+        """The joints of two runs of curves that become each other, (P, 4, 2) each."""
+        both = np.stack([source, target])
         leaving, reaching = (np.stack(x) for x in zip(*map(end_tangents, both), strict=True))
         kinks = _angle(reaching, np.roll(leaving, -1, axis=1))
-        line = _straight(pieces.source) & _straight(pieces.target)
+        line = _straight(source) & _straight(target)
         # A piece that is a point at one end has no direction there to go on from.
         point = (both == both[:, :, :1]).all(axis=(2, 3)).any(axis=0)
         smooth = (np.abs(kinks) < SMOOTH_KINK).all(axis=0) & ~(line & np.roll(line, -1))
         folded = _folded(both[:, :, ::-1]), np.roll(_folded(both), -1, axis=1)
         slack = np.stack([side[0] | side[1] for side in folded])
         before = np.flatnonzero((smooth | slack.any(axis=0)) & ~point & ~np.roll(point, -1))
-        after = (before + 1) % len(pieces.source)
+        before = before if closed else before[before < len(source) - 1]
+        after = (before + 1) % len(source)
         slack = slack[:, before] & ~smooth[before]
         # A side that is straight at both ends stays so: the handle across the joint does it all.
         # So does one without a length of its own.

@@ -63,6 +63,7 @@ def test_a_report_says_how(run: Command, tmp_path: Path) -> None:
         "version",
         "method",
         "rings",
+        "parts",
         "riding",
         "warnings",
         "notices",

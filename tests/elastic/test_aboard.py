@@ -12,9 +12,10 @@ from shapetween.attach.riders import riding
 from shapetween.elastic.aboard import LonePart, RidingPart, ShownPart
 from shapetween.model.drawing import Drawing
 from shapetween.model.paint import Colour
-from shapetween.pipeline import Prepared, prepare
+from shapetween.pipeline import Prepared
 from shapetween.svg.write.smil import smil_svg
 from tests.drawings import BOX, area, drawing, line, ring, square
+from tests.elastic.whole import prepare_elastic
 
 RED, BLUE, GREEN = Colour(1, 0, 0), Colour(0, 0, 1), Colour(0, 1, 0)
 ENDS = np.array([0.0, 1.0])
@@ -24,7 +25,7 @@ ENDS = np.array([0.0, 1.0])
 def swapped() -> Prepared:
     """A large and a small square; the small one goes from above to below the large one."""
     large, small = area(square(20, 20, 60), colour=RED), area(square(70, 70, 25), colour=BLUE)
-    return prepare(drawing(large, small), Drawing((small, large), BOX))
+    return prepare_elastic(drawing(large, small), Drawing((small, large), BOX))
 
 
 def test_what_cannot_be_painted_in_one_place_takes_turns(swapped: Prepared) -> None:
@@ -51,7 +52,7 @@ def test_a_small_patch_opens_and_a_large_one_fades() -> None:
     body = area(square(10, 10, 80), colour=RED)
     for side, fades in ((10, False), (60, True)):
         patch = area(square(20, 20, side), colour=GREEN)
-        parts = prepare(drawing(body), drawing(body, patch)).movement.parts
+        parts = prepare_elastic(drawing(body), drawing(body, patch)).movement.parts
         (lone,) = (part for part in parts if isinstance(part, LonePart))
         assert lone.fades == fades
         assert lone.style(0.5).opacity == (0.5 if fades else 1.0)

@@ -8,8 +8,9 @@ from shapetween.elastic.silhouette import covered_by, silhouette
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour
-from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.pipeline import Prepared
 from tests.drawings import BOX, area, drawing, line, ring, square
+from tests.elastic.whole import prepare_elastic
 from tests.movements import circle
 from tests.strategies import rotation
 
@@ -59,7 +60,7 @@ def test_holes_shadows_and_what_is_off_the_page_make_no_silhouette() -> None:
 
 
 def test_a_drawing_becoming_itself_stands_still() -> None:
-    prepared = prepare(face(), face())
+    prepared = prepare_elastic(face(), face())
     for k in range(len(prepared.movement.parts)):
         curves = points(prepared, k)
         np.testing.assert_allclose(curves, np.repeat(curves[:1], len(T), axis=0), atol=1e-9)
@@ -68,7 +69,7 @@ def test_a_drawing_becoming_itself_stands_still() -> None:
 @pytest.mark.parametrize("degrees", [40, 150])
 def test_a_turned_drawing_turns_as_one(degrees: float) -> None:
     turn = np.column_stack([1.4 * rotation(np.deg2rad(degrees)), [20.0, -10.0]])
-    prepared = prepare(face(), moved(face(), turn), Options(fit="none"))
+    prepared = prepare_elastic(face(), moved(face(), turn))
     every = np.concatenate([points(prepared, k) for k in range(5)], axis=1)
     local = every - every.mean(axis=1, keepdims=True)
     for t, frame in zip(T, local, strict=True):
@@ -86,7 +87,7 @@ def test_an_outline_keeps_to_what_it_goes_round() -> None:
         line((45, 70), (55, 75), (65, 70)),
         Shape((other,), line((0, 0), (1, 1)).style),
     )
-    prepared = prepare(face(), second)
+    prepared = prepare_elastic(face(), second)
     assert prepared.carrier is not None
     styles = [part.style(0.0) for part in prepared.movement.parts]
     fill = points(prepared, next(k for k, style in enumerate(styles) if style.fill == RED))
@@ -102,7 +103,7 @@ def test_a_page_goes_from_box_to_box() -> None:
     """Whatever turn would take it there as well."""
     wide = drawing(area(ring([(0, 20), (100, 20), (100, 70), (0, 70)])), area(disc(30, 40, 9)))
     high = drawing(area(ring([(20, 0), (70, 0), (70, 100), (20, 100)])), area(disc(35, 30, 9)))
-    frames = points(prepare(wide, high), 0)
+    frames = points(prepare_elastic(wide, high), 0)
     for t, frame in zip(T, frames, strict=True):
         low, far = (1 - t) * np.array([0, 20]) + t * np.array([20, 0]), frame.max(axis=0)
         high_corner = (1 - t) * np.array([100, 70]) + t * np.array([70, 100])
@@ -117,8 +118,8 @@ def test_units_do_not_matter(size: float) -> None:
     second = drawing(area(square(20, 5, 60)), area(square(30, 30, 12)), line((50, 30), (70, 60)))
     box = Box(0, 0, 100 * size, 100 * size)
     large = [Drawing(d.transformed(size * np.eye(2, 3)).shapes, box) for d in (first, second)]
-    here = prepare(first, second).movement.parts
-    there = prepare(large[0], large[1]).movement.parts
+    here = prepare_elastic(first, second).movement.parts
+    there = prepare_elastic(large[0], large[1]).movement.parts
     assert [part.rings for part in here] == [part.rings for part in there]
     for part, other in zip(here, there, strict=True):
         np.testing.assert_allclose(other.curves(T) / size, part.curves(T), atol=1e-6)
@@ -131,7 +132,7 @@ def test_what_lies_beside_only_drifts_along(comes: bool) -> None:
     spot = area(square(94, 45, 4) if comes else square(80, 45, 4), colour=RED)
     first, second = [small], [large]
     (second if comes else first).append(spot)
-    prepared = prepare(drawing(*first), drawing(*second))
+    prepared = prepare_elastic(drawing(*first), drawing(*second))
     drift = np.diff([o.box.mean(axis=0) for o in (small.rings[0], large.rings[0])], axis=0)[0]
     (lone,) = (k for k, part in enumerate(prepared.movement.parts) if part.style(0.5).fill == RED)
     middles = points(prepared, lone).mean(axis=1)

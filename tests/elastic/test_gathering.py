@@ -11,8 +11,8 @@ from shapetween.elastic.silhouette import covered_by
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour
-from shapetween.pipeline import prepare
 from tests.drawings import area, drawing, line, ring, square
+from tests.elastic.whole import prepare_elastic
 
 RED, BLUE = Colour(1, 0, 0), Colour(0, 0, 1)
 
@@ -97,7 +97,7 @@ def test_settled_pairs_are_found_again() -> None:
 def test_a_cross_of_bars_keeps_its_arms_all_the_way() -> None:
     page = area(square(0, 0, 100), colour=BLUE)
     slim = [area(box(5, 44, 90, 12), colour=RED), area(box(44, 5, 12, 90), colour=RED)]
-    parts = prepare(drawing(page, *slim), drawing(page, CROSS)).movement.parts
+    parts = prepare_elastic(drawing(page, *slim), drawing(page, CROSS)).movement.parts
     assert len(parts) == 2
     for t in (0.25, 0.5, 0.75):
         frame: Points = parts[1].curves(np.array([t]))[0]

@@ -14,8 +14,8 @@ from shapetween.geometry.bezier import curve_lengths, evaluate
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.outline.body import Carried
-from shapetween.pipeline import prepare
 from tests.drawings import drawing, line, square
+from tests.elastic.whole import prepare_elastic
 
 BOX = square(0, 0, 100).curves.reshape(-1, 2)
 
@@ -153,7 +153,7 @@ def test_the_ends_of_the_movement_are_the_drawings() -> None:
     roof = round_line((10, 50), (50, 10), (90, 50))
     walls = round_line((20, 45), (20, 90), (80, 90), (80, 45))
     hut = round_line((15, 90), (15, 50), (50, 12), (85, 50), (85, 90), (15, 90))
-    movement = prepare(drawing(roof, walls), drawing(hut)).movement
+    movement = prepare_elastic(drawing(roof, walls), drawing(hut)).movement
     assert len(movement.parts) > 2
     t = np.linspace(0, 1, 201)
     for time, shapes in ((0.0, [roof, walls]), (1.0, [hut])):

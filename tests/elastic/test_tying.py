@@ -15,8 +15,8 @@ from shapetween.elastic.tying import tied
 from shapetween.geometry.bezier import evaluate
 from shapetween.geometry.rotation import rotations
 from shapetween.model.drawing import Shape
-from shapetween.pipeline import prepare
 from tests.drawings import drawing, line, square
+from tests.elastic.whole import prepare_elastic
 
 T = np.linspace(0, 1, 9)
 
@@ -76,7 +76,7 @@ def test_bars_between_the_same_lines_become_each_other() -> None:
 def test_the_bar_of_an_a_stays_on_its_legs() -> None:
     first = [line((20, 95), (20, 30), (50, 5), (80, 30), (80, 95)), line((20, 60), (80, 60))]
     second = [line((20, 95), (20, 5), (70, 25), (25, 50), (80, 75)), line((20, 50), (25, 50))]
-    parts = prepare(drawing(*first), drawing(*second)).movement.parts
+    parts = prepare_elastic(drawing(*first), drawing(*second)).movement.parts
     leg, bar = (part.curves(T) for part in parts)
     assert gap(bar[:, 0, 0], leg) < 0.5
     assert gap(bar[:, -1, 3], leg) < 0.5
@@ -85,7 +85,7 @@ def test_the_bar_of_an_a_stays_on_its_legs() -> None:
 def test_a_twig_that_comes_grows_on_its_branch() -> None:
     stem = line((20, 95), (30, 50), (20, 5)), line((80, 95), (60, 50), (80, 5))
     twig = line((60, 50), (95, 40))
-    parts = prepare(drawing(stem[0]), drawing(stem[1], twig)).movement.parts
+    parts = prepare_elastic(drawing(stem[0]), drawing(stem[1], twig)).movement.parts
     assert len(parts) == 2
     branch, grown = (part.curves(T) for part in parts)
     assert gap(grown[:, 0, 0], branch) < 0.5

@@ -1,0 +1,200 @@
+"""Roles: which item becomes which, and what comes and goes by itself."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Floats, Mask
+from shapetween.scene.costs import (
+    Current,
+    alone,
+    axes_cost,
+    fixed_terms,
+    parents_cost,
+    relations_cost,
+)
+from shapetween.scene.relations import Scene
+
+__all__ = ["Role", "Roles", "alike_in_place", "assign"]
+
+#: Rounds in which parents and relations are taken from the pairs of the round before.
+ROUNDS = 6
+
+#: Greatest departure of two items that are alike in place: way and distance of outlines, as shares
+#: of the drawing and of their size, logarithm of sizes, and sum of colours.
+SAME_PLACE, SAME_OUTLINE, SAME_SIZE, SAME_COLOUR = 0.012, 0.04, 0.06, 0.15
+
+#: Decimals of a cost that count. More, and rounding chooses between pairs that are as good.
+DECIMALS = 6
+
+#: What a rank's difference in paint order costs, to choose between pairs that are as good.
+TIE = 1e-7
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """One pair, and why.
+
+    Attributes
+    ----------
+    first, second : int
+        Items.
+    cost : float
+    reason : str
+        How it was found: "given", "alike", "matched".
+    """
+
+    first: int
+    second: int
+    cost: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Roles:
+    """Who becomes whom.
+
+    Attributes
+    ----------
+    pairs : tuple of Role
+    leavers, comers : tuple of int
+        Items without a partner.
+    left, come : tuple of float
+        What the best partner would have cost each of them, less what leaving both alone does.
+    """
+
+    pairs: tuple[Role, ...]
+    leavers: tuple[int, ...]
+    comers: tuple[int, ...]
+    left: tuple[float, ...] = ()
+    come: tuple[float, ...] = ()
+
+
+def assign(
+    a: Scene,
+    b: Scene,
+    given: Sequence[tuple[int, int]] = (),
+    barred: Mask | None = None,
+    price: float = 1.0,
+) -> Roles:
+    """Find the pairs of least total cost, leaving alone what has no match worth it.
+
+    Parameters
+    ----------
+    a, b : Scene
+        In one frame.
+    given : sequence of (int, int)
+        Pairs that are settled.
+    barred : (N, M) bool, optional
+        Pairs that are not made unless they are settled.
+    price : float
+        What leaving alone costs, times this.
+    """
+    count = len(a.items), len(b.items)
+    table = sum(fixed_terms(a, b).values(), np.zeros(count))
+    never = np.zeros(count, dtype=bool) if barred is None else barred.copy()
+    never |= a.sheets[:, None] != b.sheets
+    # A fill's outline goes where the fill goes, so to another outline or to nothing.
+    never |= (a.outlined >= 0)[:, None] != (b.outlined >= 0)
+    settled = dict.fromkeys(given, "given")
+    settled |= dict.fromkeys(alike_in_place(a, b, never, settled), "alike")
+    for i, j in settled:
+        never[i, :] = never[:, j] = True
+    for i, j in settled:
+        never[i, j] = False
+        table[i, j] = -2.0
+    left = price * alone(a), price * alone(b)
+    now: Current | None = None
+    relation: Floats | None = None
+    history: Current | None = None
+    if count == (1, 1):  # one thing becomes the other, whatever they are
+        table[:] = np.minimum(table, 0.0)
+    for turn in range(ROUNDS):
+        costs = table
+        if now is not None:
+            latest = relations_cost(a, b, now)
+            relation = latest if relation is None or turn < 2 else (relation + latest) / 2
+            costs = table + parents_cost(a, b, now) + relation
+        costs = axes_cost(a, b, costs)
+        costs = np.where(never, np.inf, costs)
+        history, now = now, _cheapest(costs, *left)
+        if history is not None and _same(history, now) and turn > 2:
+            break
+    assert now is not None
+    pairs = tuple(
+        Role(int(i), int(j), float(cost), settled.get((int(i), int(j)), "matched"))
+        for i, j, cost in zip(now.first, now.second, now.costs, strict=True)
+    )
+    leavers = sorted(set(range(count[0])) - {p.first for p in pairs})
+    comers = sorted(set(range(count[1])) - {p.second for p in pairs})
+    missing = costs - left[0][:, None] - left[1]
+    return Roles(
+        pairs,
+        tuple(leavers),
+        tuple(comers),
+        tuple(missing[k].min(initial=np.inf) for k in leavers),
+        tuple(missing[:, k].min(initial=np.inf) for k in comers),
+    )
+
+
+def _same(one: Current, other: Current) -> bool:
+    return np.array_equal(one.first, other.first) and np.array_equal(one.second, other.second)
+
+
+def _cheapest(costs: Floats, left: Floats, right: Floats) -> Current:
+    """Pairs of least total cost; each item may be left alone at its price."""
+    from scipy.optimize import linear_sum_assignment
+
+    height, width = costs.shape
+    table = np.full((height + width, height + width), np.inf)
+    rank = np.abs(np.arange(height)[:, None] / height - np.arange(width) / width)
+    table[:height, :width] = np.round(costs, DECIMALS) + TIE * rank
+    table[np.arange(height), width + np.arange(height)] = np.round(left, DECIMALS)
+    table[height + np.arange(width), np.arange(width)] = np.round(right, DECIMALS)
+    table[height:, width:] = 0.0
+    rows, columns = linear_sum_assignment(table)
+    made = (rows < height) & (columns < width)
+    rows, columns = rows[made], columns[made]
+    return Current(rows, columns, costs[rows, columns])
+
+
+def alike_in_place(
+    a: Scene,
+    b: Scene,
+    never: Mask,
+    settled: dict[tuple[int, int], str],
+    loose: float = 1.0,
+) -> list[tuple[int, int]]:
+    """Pairs that are the same in both drawings, place and form and paint, or nearly (`loose`)."""
+    away = np.linalg.norm(a.centres[:, None] - b.centres, axis=-1)
+    scale = (a.scale + b.scale) / 2
+    near = (away < loose * SAME_PLACE * scale) & ~never
+    near &= np.abs(np.log(a.sizes[:, None] / b.sizes)) < loose * SAME_SIZE
+    near &= np.abs(a.colours[:, None] - b.colours).sum(axis=-1) < SAME_COLOUR
+    kinds = [np.array([(i.filled, i.closed) for i in s.items]) for s in (a, b)]
+    near &= (kinds[0][:, None] == kinds[1]).all(axis=-1)
+    taken = {i for i, _ in settled}, {j for _, j in settled}
+    found: list[tuple[float, int, int]] = []
+    for i, j in np.argwhere(near).tolist():
+        if i in taken[0] or j in taken[1]:
+            continue
+        one, other = a.items[i], b.items[j]
+        apart = _outlines_apart(one.points, other.points)
+        if apart < loose * SAME_OUTLINE * max(one.extent, other.extent):
+            order = abs(i / len(a.items) - j / len(b.items))
+            found.append((round(apart / scale, DECIMALS) + TIE * order, i, j))
+    pairs: list[tuple[int, int]] = []
+    for _, i, j in sorted(found):
+        if i not in taken[0] and j not in taken[1]:
+            pairs.append((i, j))
+            taken[0].add(i)
+            taken[1].add(j)
+    return pairs
+
+
+def _outlines_apart(one: Floats, other: Floats) -> float:
+    """Greatest distance of a sample of either outline from the nearest one of the other."""
+    apart = np.linalg.norm(one[:, None] - other, axis=-1)
+    spacing = np.linalg.norm(one[1] - one[0]) / 2
+    return max(0.0, float(max(apart.min(axis=0).max(), apart.min(axis=1).max()) - spacing))

@@ -1,0 +1,58 @@
+"""Cutting items beforehand where gaps will be, so that one that becomes several is as many."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from shapetween.base.arrays import Points
+from shapetween.scene.cuts.areas import divided_areas
+from shapetween.scene.cuts.division import Found
+from shapetween.scene.cuts.lines import shared_lines
+from shapetween.scene.cuts.rings import divided_rings
+from shapetween.scene.items import Item
+from shapetween.scene.relations import Scene, perceive
+
+__all__ = ["Cut", "cut_alike_items"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cut:
+    """Two scenes that are drawn as before, of items that correspond better.
+
+    Attributes
+    ----------
+    scenes : (Scene, Scene)
+    given : tuple of (int, int)
+        Items that become each other, by the cuts.
+    """
+
+    scenes: tuple[Scene, Scene]
+    given: tuple[tuple[int, int], ...]
+
+
+def cut_alike_items(a: Scene, b: Scene, views: tuple[Points, Points]) -> Cut:
+    """Cut the items of both scenes, each where the other one's ask for it."""
+    given: list[tuple[Item, Item]] = []
+    cuts: Sequence[Callable[[Scene, Scene], Found]] = (shared_lines, divided_areas, divided_rings)
+    for cut in cuts:
+        for backwards in (False, True):
+            whole, parts = (b, a) if backwards else (a, b)
+            found = cut(whole, parts)
+            if not found:
+                continue
+            items: list[Item] = []
+            for k, item in enumerate(whole.items):
+                items += found[k].pieces if k in found else [item]
+            for division in found.values():
+                pairs = [(piece, parts.items[j]) for piece, j in division.pairs]
+                given += [(two, one) for one, two in pairs] if backwards else pairs
+            if backwards:
+                b = perceive(items, views[1])
+            else:
+                a = perceive(items, views[0])
+    where = [{id(item): k for k, item in enumerate(scene.items)} for scene in (a, b)]
+    pairs_now = [
+        (where[0][id(one)], where[1][id(other)])
+        for one, other in given
+        if id(one) in where[0] and id(other) in where[1]
+    ]
+    return Cut((a, b), tuple(pairs_now))

@@ -1,0 +1,89 @@
+"""One fill that becomes several: it is cut into the cells of its pieces, as a cell divides."""
+
+import numpy as np
+
+from shapetween.base.arrays import Index
+from shapetween.elastic.regions import Region
+from shapetween.elastic.splitting import split_alike
+from shapetween.model.paint import Gradient
+from shapetween.scene.cuts.division import Division, Found
+from shapetween.scene.items import Item
+from shapetween.scene.relations import Scene
+
+__all__ = ["divided_areas", "families"]
+
+#: Sum of differences of colours that are one.
+COLOUR = 0.12
+
+#: Gap that pieces are closed over, as a share of the drawing, and what the closed pieces have in
+#: common with the whole.
+CLOSING, LIKE = 0.12, 0.45
+
+#: Most pieces that one divides into.
+MOST = 6
+
+
+def divided_areas(whole: Scene, parts: Scene) -> Found:
+    """Fills of a scene that several of the other one are pieces of, cut into as many."""
+    found: Found = {}
+    for k, pieces in families(whole, parts, filled=True):
+        item = whole.items[k]
+        if not _opaque(item):
+            continue
+        regions = [Region(parts.items[j].outer, parts.items[j].holes) for j in pieces]
+        cells = split_alike(Region(item.outer, item.holes), regions)
+        if cells is None:
+            continue
+        made = [Item((c.outer, *c.holes), item.style, item.shape, item.name) for c in cells]
+        found[k] = Division(made, list(zip(made, pieces.tolist(), strict=True)))
+    return found
+
+
+def _opaque(item: Item) -> bool:
+    fill = item.style.fill
+    alpha = 1.0 if fill is None or isinstance(fill, Gradient) else fill.alpha
+    return item.style.stroke is None and alpha * item.style.opacity > 0.999
+
+
+def families(whole: Scene, parts: Scene, *, filled: bool) -> list[tuple[int, Index]]:
+    """Outermost items that are the only ones of their colour, and several like them on the other.
+
+    Parameters
+    ----------
+    whole, parts : Scene
+    filled : bool
+        Whether areas are asked for, else closed lines.
+    """
+    import shapely
+
+    ours, theirs = (
+        np.array(
+            [
+                k
+                for k, item in enumerate(s.items)
+                if item.filled == filled
+                and item.closed
+                and not s.sheets[k]
+                and s.parents[k] < 0
+                and s.outlined[k] < 0
+            ],
+            dtype=np.intp,
+        )
+        for s in (whole, parts)
+    )
+    found = []
+    for k in ours.tolist():
+        alike = np.abs(whole.colours[ours] - whole.colours[k]).sum(axis=-1) < COLOUR
+        if alike.sum() != 1:
+            continue
+        pieces = theirs[np.abs(parts.colours[theirs] - whole.colours[k]).sum(axis=-1) < COLOUR]
+        if not 2 <= len(pieces) <= MOST:
+            continue
+        reach = CLOSING * parts.scale
+        union = shapely.union_all([parts.items[j].enclosed for j in pieces])
+        closed = union.buffer(reach).buffer(-reach)
+        own = whole.items[k].enclosed
+        both = closed.intersection(own).area
+        if both > LIKE * (closed.area + own.area - both):
+            found.append((k, pieces))
+    return found

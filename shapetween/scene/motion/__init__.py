@@ -1,0 +1,1 @@
+"""How a part moves in its own frame: outlines matched by form, blended, and turned if need be."""

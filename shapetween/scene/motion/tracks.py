@@ -1,0 +1,199 @@
+"""Tracks: where a ring's curves are through time."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from shapetween.base.arrays import Affine, Curves, Floats, Points
+from shapetween.elastic.parts import FilledPart
+from shapetween.geometry.linearmaps import as_complex, as_points
+from shapetween.geometry.rotation import rotations
+from shapetween.outline.carry import Joints
+from shapetween.scene.places import Pieces
+
+__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "Track"]
+
+
+class Track(Protocol):
+    """Rings through time."""
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """Which of the rings are closed."""
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Blend:
+    """One ring or line whose curves go straight to their counterparts, in a frame that turns.
+
+    Attributes
+    ----------
+    pieces : Pieces
+    centres : (2, 2) float64
+        Where the frame is at both ends.
+    turn : float
+        By how much it turns, radians.
+
+    Notes
+    -----
+    Of two rectangles, cut at their corners, it is the paper's movement of a mesh of one quad: the
+    turn is that of the polar decomposition, the stretch goes evenly, R(t turn)((1 - t) I + t S).
+    Of two rounded boxes, cut where sides and corners meet, it blends sides and radii evenly.
+    """
+
+    pieces: Pieces
+    centres: Points
+    turn: float = 0.0
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one ring."""
+        return (len(self.pieces.source),)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As its pieces are."""
+        return (self.pieces.closed,)
+
+    @cached_property
+    def _joints(self) -> Joints:
+        return Joints.of(*self._local, closed=self.pieces.closed)
+
+    @cached_property
+    def _local(self) -> tuple[Curves, Curves]:
+        """Both ends in the frame."""
+        back = rotations(np.asarray(-self.turn))
+        target = (self.pieces.target - self.centres[1]) @ back.T
+        return self.pieces.source - self.centres[0], np.asarray(target)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2); exactly the ends' own at 0 and 1."""
+        part = t[:, None, None, None]
+        source, target = self._local
+        local = as_complex((1 - part) * source + part * target)
+        self._joints.smooth(local, t)
+        turned = local * np.exp(1j * self.turn * t)[:, None, None]
+        centre = (1 - t)[:, None] * self.centres[0] + t[:, None] * self.centres[1]
+        result = as_points(turned) + centre[:, None, None]
+        result[t == 0] = self.pieces.source
+        result[t == 1] = self.pieces.target
+        return np.asarray(result)
+
+
+@dataclass(frozen=True, eq=False)
+class Elastic:
+    """A region and its holes moved by the outline engine.
+
+    Attributes
+    ----------
+    part : FilledPart
+    """
+
+    part: FilledPart
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return self.part.rings
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return self.part.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        return self.part.curves(t)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frame:
+    """A frame that a whole drawing moves in: it turns and stretches evenly about a moving centre.
+
+    Attributes
+    ----------
+    centres : (2, 2) float64
+        Of both drawings.
+    turn : float
+        Radians.
+    stretch : (2, 2) float64
+        Symmetric, positive definite; what is left of the map when the turn is taken from it.
+    """
+
+    centres: Points
+    turn: float
+    stretch: Floats
+
+    @property
+    def growth(self) -> float:
+        """By how much lengths grow, on the whole."""
+        return float(np.sqrt(np.linalg.det(self.stretch)))
+
+    @property
+    def linear(self) -> Floats:
+        """The map at the end but for its shift, (2, 2)."""
+        return np.asarray(rotations(np.asarray(self.turn)) @ self.stretch)
+
+    def carried(self, points: Points, t: Floats) -> Points:
+        """Points (F, ..., 2) of the frame at the times (F,)."""
+        time = t[:, None, None]
+        linear = rotations(t * self.turn) @ ((1 - time) * np.eye(2) + time * self.stretch)
+        centre = (1 - t)[:, None] * self.centres[0] + t[:, None] * self.centres[1]
+        flat = (points - self.centres[0]).reshape(len(t), -1, 2)
+        moved = flat @ np.swapaxes(linear, 1, 2) + centre[:, None]
+        return np.asarray(moved.reshape(points.shape))
+
+    @property
+    def back(self) -> Affine:
+        """The map from the second drawing to where it is in the frame, (2, 3)."""
+        linear = np.linalg.inv(self.linear)
+        return np.column_stack([linear, self.centres[0] - linear @ self.centres[1]])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Mirrored:
+    """The mirror image of a track, about an axis that moves evenly.
+
+    Attributes
+    ----------
+    track : Track
+    flips : int
+        0 about an upright axis, 1 about a level one.
+    places : (float, float)
+        Where the axis is at both ends.
+    """
+
+    track: Track
+    flips: int
+    places: tuple[float, float]
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """As many as the track's."""
+        return self.track.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As the track's."""
+        return self.track.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        result = self.track.curves(t).copy()
+        axis = (1 - t) * self.places[0] + t * self.places[1]
+        result[..., self.flips] = 2 * axis[:, None, None] - result[..., self.flips]
+        # A mirror image runs the other way round.
+        last = np.cumsum(self.counts)
+        for end, count, closed in zip(last, self.counts, self.closed, strict=True):
+            if closed:
+                result[:, end - count : end] = result[:, end - count : end][:, ::-1, ::-1]
+        return result

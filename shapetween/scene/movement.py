@@ -1,0 +1,310 @@
+"""The movement between two drawings as scenes of parts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from shapetween.attach.whole import MOTION_TIMES, WholeMotion
+from shapetween.base.arrays import Curves, Floats, Mask, Points
+from shapetween.base.notices import Notice, distinct
+from shapetween.elastic.fill import FillSettings
+from shapetween.elastic.regions import regions_of
+from shapetween.elastic.stroking import outlined
+from shapetween.geometry.bezier import curve_lengths
+from shapetween.model.blend import blend
+from shapetween.model.drawing import Shape
+from shapetween.model.gradients import has_gradient
+from shapetween.model.movement import Part
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Style
+from shapetween.scene.assign import Roles, assign
+from shapetween.scene.cuts import cut_alike_items
+from shapetween.scene.forms import form_of
+from shapetween.scene.items import Item
+from shapetween.scene.leaving import leaving_part
+from shapetween.scene.motion.choose import Ends, tracks_of
+from shapetween.scene.motion.tracks import Frame, Mirrored, Track
+from shapetween.scene.order import Layer, layers_of, share_shown
+from shapetween.scene.presence import LonePart
+from shapetween.scene.relations import Scene, perceive
+from shapetween.scene.whole import frame_between, moved_items
+
+__all__ = ["PairPart", "SceneMovement", "move_scene"]
+
+
+@dataclass(frozen=True, eq=False)
+class PairPart:
+    """An item that becomes another one.
+
+    Attributes
+    ----------
+    name : str
+    styles : (Style, Style)
+    tracks : tuple of Track
+        Its outer ring's or its line's, and its holes'.
+    frame : Frame or None
+        What the whole drawing moves in.
+    end : (N, 4, 2) float64 or None
+        What is drawn at last, where a frame carries it.
+    layer : Layer
+    """
+
+    name: str
+    styles: tuple[Style, Style]
+    tracks: tuple[Track, ...]
+    frame: Frame | None
+    layer: Layer
+    motion: WholeMotion | None = None
+
+    @property
+    def rings(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(n for track in self.tracks for n in track.counts)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """Which of the rings are closed."""
+        return tuple(c for track in self.tracks for c in track.closed)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        return framed(self.tracks, self.frame, t)
+
+    def style(self, t: float) -> Style:
+        """Paint at one time."""
+        style = blend(*self.styles, t, self.motion)
+        if self.layer.shown == "always":
+            return style
+        return replace(style, opacity=style.opacity * float(share_shown(self.layer, t)))
+
+
+def framed(tracks: Sequence[Track], frame: Frame | None, t: Floats) -> Curves:
+    """Curves of several rings, in the frame of the whole drawing."""
+    curves = np.concatenate([track.curves(t) for track in tracks], axis=1)
+    return curves if frame is None else frame.carried(curves, t)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SceneMovement:
+    """What moves, and how that was found.
+
+    Attributes
+    ----------
+    parts : tuple of Part
+        In paint order.
+    scenes : (Scene, Scene)
+        The second one as it is in the frame.
+    roles : Roles
+    notices : tuple of Notice
+    """
+
+    parts: tuple[Part, ...]
+    scenes: tuple[Scene, Scene]
+    roles: Roles
+    notices: tuple[Notice, ...]
+
+
+def move_scene(
+    first: Sequence[Item],
+    second: Sequence[Item],
+    views: tuple[Points, Points],
+    given: Sequence[tuple[int, int]],
+    settings: FillSettings,
+    names: tuple[str, str],
+) -> SceneMovement:
+    """The movement between two drawings' items.
+
+    Parameters
+    ----------
+    first, second : sequence of Item
+        In paint order and one frame.
+    views : ((2, 2) float64, (2, 2) float64)
+        What is shown of each drawing, as least and greatest corners.
+    given : sequence of (int, int)
+        Shapes that become each other because the user says so, or by their names.
+    settings : FillSettings
+    names : tuple of str
+        What messages call the drawings.
+    """
+    with settings.observe("perceive"):
+        a, b = perceive(first, views[0]), perceive(second, views[1])
+        frame = frame_between(a, b)
+        if frame is not None:
+            b = perceive(moved_items(b, frame), views[1])
+    with settings.observe("match"):
+        cut = cut_alike_items(a, b, views)
+        a, b = cut.scenes
+        settled, barred = _settled(a, b, given)
+        roles = assign(a, b, [*settled, *(p for p in cut.given if not barred[p])], barred)
+    said: list[Notice] = []
+    with settings.observe("move"):
+        tracks: dict[int, tuple[Track, ...]] = {}
+        for k in _largest_first(a, roles):
+            tracks[k], more = _tracks(k, a, b, roles, settings, names)
+            said += more
+        hosts = (
+            {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
+            {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
+        )
+        parts: list[Part] = []
+        named: set[str] = set()
+        for layer in layers_of(a, b, roles):
+            part = _part(layer, a, b, roles, tracks, hosts, frame)
+            parts.append(part if part.name not in named else replace(part, name=""))
+            named.add(part.name)
+    return SceneMovement(tuple(parts), (a, b), roles, distinct(said))
+
+
+def _settled(
+    a: Scene, b: Scene, given: Sequence[tuple[int, int]]
+) -> tuple[list[tuple[int, int]], Mask]:
+    """Pairs of items that pairs of shapes settle, and what they bar."""
+    shapes = [np.array([item.shape for item in scene.items]) for scene in (a, b)]
+    barred = np.zeros((len(a.items), len(b.items)), dtype=bool)
+    pairs = []
+    for first, second in given:
+        own = [np.flatnonzero(side == k) for side, k in zip(shapes, (first, second), strict=True)]
+        barred |= (shapes[0] == first)[:, None] != (shapes[1] == second)
+        if len(own[0]) == len(own[1]) == 1:
+            pairs.append((int(own[0][0]), int(own[1][0])))
+    return pairs, barred
+
+
+def _largest_first(a: Scene, roles: Roles) -> list[int]:
+    return sorted(range(len(roles.pairs)), key=lambda k: -float(a.sizes[roles.pairs[k].first]))
+
+
+def _tracks(
+    k: int,
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    settings: FillSettings,
+    names: tuple[str, str],
+) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+    """Tracks of one pair; of a pair whose mates are a pair too, as the mirror image of those."""
+    role = roles.pairs[k]
+    ends = _ends(role.first, role.second, a, b, roles)
+    axis = _mirror(role.first, role.second, a, b, roles)
+    if axis is None:
+        return tracks_of(ends, settings, names)
+    flips, places = axis
+    image = replace(
+        ends,
+        first=_mirrored(ends.first, flips, places[0]),
+        second=_mirrored(ends.second, flips, places[1]),
+    )
+    image = replace(image, forms=(form_of(image.first), form_of(image.second)))
+    found, said = tracks_of(image, settings, names)
+    return tuple(Mirrored(track, flips, places) for track in found), said
+
+
+def _ends(first: int, second: int, a: Scene, b: Scene, roles: Roles) -> Ends:
+    symmetric = -1
+    for one in a.axes:
+        for other in b.axes:
+            own = one.mates[first] == first and other.mates[second] == second
+            if symmetric < 0 and one.flips == other.flips and own:
+                symmetric = one.flips
+    root = bool(a.parents[first] < 0 or b.parents[second] < 0)
+    items = of_one_kind(a.items[first], b.items[second])
+    forms = [
+        form if item is own else form_of(item)
+        for item, own, form in zip(
+            items, (a.items[first], b.items[second]), (a.forms[first], b.forms[second]), strict=True
+        )
+    ]
+    return Ends(
+        items[0],
+        items[1],
+        (forms[0], forms[1]),
+        (a.scale + b.scale) / 2,
+        symmetric,
+        root,
+    )
+
+
+def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
+    """Two items as they become each other: an open line beside an area is its outline."""
+    if first.filled == second.filled:
+        return first, second
+    if not first.filled and not first.closed:
+        return _outline_of(first), second
+    if not second.filled and not second.closed:
+        return first, _outline_of(second)
+    return first, second
+
+
+def _outline_of(line: Item) -> Item:
+    """The area that a line's stroke covers."""
+    shape = outlined(Shape(line.rings, line.style, line.name))
+    regions, _ = regions_of(shape, line.name)
+    return Item((regions[0].outer, *regions[0].holes), shape.style, line.shape, line.name)
+
+
+def _mirror(
+    first: int, second: int, a: Scene, b: Scene, roles: Roles
+) -> tuple[int, tuple[float, float]] | None:
+    """The axis about which a pair mirrors another pair that is drawn as it is; None without one."""
+    pairs = {(role.first, role.second) for role in roles.pairs}
+    for one in a.axes:
+        for other in b.axes:
+            mates = int(one.mates[first]), int(other.mates[second])
+            if one.flips != other.flips or min(mates) < 0 or mates not in pairs:
+                continue
+            # The one that comes first is moved as it is, the other as its mirror image.
+            if mates != (first, second) and mates < (first, second):
+                return one.flips, (one.place, other.place)
+    return None
+
+
+def _mirrored(item: Item, flips: int, place: float) -> Item:
+    matrix = np.eye(2, 3)
+    matrix[flips, flips], matrix[flips, 2] = -1.0, 2 * place
+    rings = tuple(ring.transformed(matrix) for ring in item.rings)
+    if item.filled:
+        rings = tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in rings)
+    return replace(item, rings=rings)
+
+
+def _part(
+    layer: Layer,
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    tracks: dict[int, tuple[Track, ...]],
+    hosts: tuple[dict[int, tuple[Track, ...]], dict[int, tuple[Track, ...]]],
+    frame: Frame | None,
+) -> PairPart | LonePart:
+    if layer.pair is not None:
+        role = roles.pairs[layer.pair]
+        one, other = of_one_kind(a.items[role.first], b.items[role.second])
+        return _pair_part(one, other, tracks[layer.pair], frame, layer)
+    if layer.leaver is not None:
+        return leaving_part(layer.leaver, a, hosts[0], False, frame)
+    assert layer.comer is not None
+    return leaving_part(layer.comer, b, hosts[1], True, frame)
+
+
+def _pair_part(
+    one: Item, other: Item, tracks: tuple[Track, ...], frame: Frame | None, layer: Layer
+) -> PairPart:
+    styles = one.style, other.style
+    if frame is not None:
+        styles = styles[0], _restyled(styles[1], frame)
+    motion = None
+    if any(map(has_gradient, styles)):
+        curves = framed(tracks, frame, MOTION_TIMES)
+        motion = WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
+    name = one.name or other.name
+    return PairPart(name, styles, tracks, frame, layer, motion)
+
+
+def _restyled(style: Style, frame: Frame) -> Style:
+    """A style of the frame as it is at last, in the second drawing's own place."""
+    from shapetween.scene.whole import moved_paint
+
+    linear = frame.linear
+    shift = frame.centres[1] - linear @ frame.centres[0]
+    return moved_paint(style, np.column_stack([linear, shift]), frame.growth)
