@@ -1,6 +1,6 @@
 """The library's front door: files in, a movement that can be asked for frames or written."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from os import PathLike
@@ -10,6 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from shapetween import report
+from shapetween.base.arrays import Affine
 from shapetween.base.errors import OptionError
 from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
@@ -216,7 +217,7 @@ def morph(
     options = Options(
         method=method,
         quads=quads,
-        pins=tuple(_pin(pin) for pin in pins),
+        pins=tuple(checked_pin(pin) for pin in pins),
         matches=tuple(matches),
         meshes=(("", mesh),) if isinstance(mesh, MeshPair) else tuple(mesh),
         fit=fit,
@@ -234,6 +235,7 @@ def chain(
     *,
     method: str = "projective",
     quads: int | None = None,
+    pins: Mapping[int, Iterable[Pin]] | None = None,
     fit: Fit = "view",
     folds: Folds = "prevent",
     pictures: bool = False,
@@ -248,6 +250,9 @@ def chain(
         closes the chain.
     method, quads, folds, pictures
         As for `shapetween.morph`, for every leg.
+    pins : mapping of int to iterable of (ax, ay, bx, by), optional
+        Points that belong together, by the leg, counted from 1, each in its own drawing's user
+        units.
     fit : {"view", "geometry", "none"}
         How each drawing is brought into the frame of the first.
     observe : Observer, optional
@@ -265,17 +270,20 @@ def chain(
     if len(sources) < 2:
         raise OptionError(f"chain: {len(sources)} drawings; expected two or more")
     options = Options(method=method, quads=quads, fit="none", folds=folds)
+    pinned = _pinned(pins or {}, len(sources) - 1)
     names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):
         different = {_key(source): source for source in sources}
         drawn = {key: _opened(source, pictures) for key, source in different.items()}
         read = [drawn[_key(source)] for source in sources]
     with observe("fit"):
-        framed = [_in_frame(drawing, read[0], fit) for drawing in read]
+        frames = [_frame(drawing, read[0], fit) for drawing in read]
+        framed = [_in_frame(drawing, read[0], m) for drawing, m in zip(read, frames, strict=True)]
     title = " to ".join(drawing.title for drawing in read if drawing.title)
     legs = []
-    for pair, both in zip(pairwise(framed), pairwise(names), strict=True):
-        prepared = prepare(*pair, options, names=both, observe=observe)
+    for k, (pair, both) in enumerate(zip(pairwise(framed), pairwise(names), strict=True)):
+        own = replace(options, pins=_mapped_pins(pinned.get(k + 1, ()), *frames[k : k + 2]))
+        prepared = prepare(*pair, own, names=both, observe=observe)
         titled = replace(prepared, movement=replace(prepared.movement, title=title))
         legs.append(Morph(titled, method))
     return Chain(tuple(legs), names, read[0] is read[-1])
@@ -286,11 +294,29 @@ def _key(source: Source) -> str | int:
     return id(source) if isinstance(source, Drawing) else str(Path(source).absolute())
 
 
-def _in_frame(drawing: Drawing, first: Drawing, fit: Fit) -> Drawing:
-    """The drawing as it is to be seen in the frame of the first, whose own place is kept."""
-    if drawing is first:
-        return first
-    return replace(drawing.transformed(fit_matrix(first, drawing, fit)), box=first.box)
+def _frame(drawing: Drawing, first: Drawing, fit: Fit) -> Affine:
+    """From a drawing's own units to those of the first, whose own place is kept."""
+    return np.eye(2, 3) if drawing is first else fit_matrix(first, drawing, fit)
+
+
+def _in_frame(drawing: Drawing, first: Drawing, matrix: Affine) -> Drawing:
+    """The drawing as it is to be seen in the frame of the first."""
+    return drawing if drawing is first else replace(drawing.transformed(matrix), box=first.box)
+
+
+def _pinned(pins: Mapping[int, Iterable[Pin]], legs: int) -> dict[int, tuple[Pin, ...]]:
+    """Pins by leg, checked."""
+    for leg in pins:
+        if leg not in range(1, legs + 1):
+            raise OptionError(f"pins: there is no leg {leg!r}; expected 1 to {legs}")
+    return {leg: tuple(_pin(pin) for pin in some) for leg, some in pins.items()}
+
+
+def _mapped_pins(pins: Iterable[Pin], source: Affine, target: Affine) -> tuple[Pin, ...]:
+    """Pins of a leg in the frame of the first drawing."""
+    given = np.array(tuple(pins), dtype=np.float64).reshape(-1, 4)
+    both = np.concatenate([mapped(given[:, :2], source), mapped(given[:, 2:], target)], axis=1)
+    return tuple(map(_pin, both.tolist()))
 
 
 def _pin(given: Iterable[float]) -> Pin:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 
-__all__ = ["process_pool"]
+__all__ = ["begin_child", "process_pool", "single_threaded"]
 
 #: How the libraries under numpy are told how many threads to use. One each: processes share the
 #: cores, and sums are then always taken in the same order.
@@ -32,9 +32,9 @@ def process_pool(processes: int) -> Iterator[ProcessPoolExecutor]:
     """
     others = set(multiprocessing.active_children())
     context = multiprocessing.get_context("spawn")
-    executor = ProcessPoolExecutor(processes, context, initializer=_begin)
+    executor = ProcessPoolExecutor(processes, context, initializer=begin_child)
     try:
-        with _environment(dict.fromkeys(THREADS, "1")), _uninterrupted():
+        with single_threaded():
             for _ in range(processes):
                 executor.submit(_warm)
         yield executor
@@ -46,7 +46,7 @@ def process_pool(processes: int) -> Iterator[ProcessPoolExecutor]:
         executor.shutdown(cancel_futures=True)
 
 
-def _begin() -> None:
+def begin_child() -> None:
     """Leave Ctrl-C to the parent, and do not outlive it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_follow_parent, daemon=True).start()
@@ -67,6 +67,13 @@ def _warm() -> None:
 
 
 @contextmanager
+def single_threaded() -> Iterator[None]:
+    """Processes begun meanwhile have one thread of arithmetic each, and leave Ctrl-C to us."""
+    with _environment(dict.fromkeys(THREADS, "1")), _uninterrupted():
+        yield
+
+
+@contextmanager
 def _environment(values: dict[str, str]) -> Iterator[None]:
     """Variables that processes begun meanwhile inherit."""
     before = {name: os.environ.get(name) for name in values}
@@ -83,7 +90,7 @@ def _environment(values: dict[str, str]) -> Iterator[None]:
 
 @contextmanager
 def _uninterrupted() -> Iterator[None]:
-    """Put Ctrl-C off; processes begun meanwhile never see it, not even before `_begin`."""
+    """Put Ctrl-C off; processes begun meanwhile never see it, not even before `begin_child`."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return

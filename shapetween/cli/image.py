@@ -229,7 +229,7 @@ def draw_over(
                 run,
                 method=common.method,
                 quads=common.quads,
-                pins=common.pins,
+                pins=common.pins_of_pair,
             )
             meshes = [piece.pair for piece in pieces]
         sides: tuple[overlay.Side, ...] = ("a", "b")

@@ -12,7 +12,7 @@ import click
 
 from shapetween.base.errors import MeshError, OptionError
 from shapetween.cli.told import warn, wrote
-from shapetween.cli.values import PATH, Match, Name, Pin, Real, Whole
+from shapetween.cli.values import PATH, Match, Name, OfLeg, Pin, Real, Whole
 from shapetween.io.progress import Progress
 from shapetween.timing import defaults
 
@@ -105,7 +105,7 @@ class Common:
     method: str
     folds: str
     quads: int | None
-    pins: tuple[tuple[float, float, float, float], ...]
+    pins: tuple[OfLeg, ...]
     matches: tuple[tuple[str, str], ...]
     mesh: Path | None
     fit: str
@@ -119,7 +119,7 @@ class Common:
         """Check the places to write to, then prepare the movement through two or more drawings."""
         if len(drawings) == 2:
             return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
-        of_a_pair = {"--pin": self.pins, "--match": self.matches, "--mesh": self.mesh}
+        of_a_pair = {"--match": self.matches, "--mesh": self.mesh}
         for name, value in of_a_pair.items():
             if value:
                 raise OptionError(
@@ -129,7 +129,9 @@ class Common:
         self.check_places(drawings, out)
         with progress("import"):
             from shapetween.api import chain
-        return chain(drawings, pictures=pictures, observe=progress, **self._for_any_pair())
+        pins = self._pins_of_legs(len(drawings) - 1)
+        settings = self._for_any_pair()
+        return chain(drawings, pins=pins, pictures=pictures, observe=progress, **settings)
 
     def prepare(
         self, a: Path, b: Path, out: Path, progress: Progress, *, pictures: bool = False
@@ -157,10 +159,30 @@ class Common:
             meshes = load_meshes(files.read_text(self.mesh), str(self.mesh))
         return {
             **self._for_any_pair(),
-            "pins": self.pins,
+            "pins": self.pins_of_pair,
             "matches": self.matches,
             "mesh": meshes,
         }
+
+    @property
+    def pins_of_pair(self) -> tuple[tuple[float, float, float, float], ...]:
+        """The pins, where there is but one leg."""
+        return tuple(self._pins_of_legs(1).get(1, ()))
+
+    def _pins_of_legs(self, count: int) -> dict[int, list[tuple[float, float, float, float]]]:
+        """The pins of each leg."""
+        found: dict[int, list[tuple[float, float, float, float]]] = {}
+        for leg, pin in self.pins:
+            if leg is None and count > 1:
+                raise OptionError(
+                    f"--pin: of which of the {count} legs? Expected LEG/AX,AY:BX,BY, such as "
+                    f"1/{pin[0]:g},{pin[1]:g}:{pin[2]:g},{pin[3]:g}"
+                )
+            if (leg or 1) > count:
+                legs = "is but one leg" if count == 1 else f"are {count} legs"
+                raise OptionError(f"--pin {leg}/...: there {legs}")
+            found.setdefault(leg or 1, []).append(pin)
+        return found
 
     def check_places(self, inputs: Sequence[Path], out: Path) -> None:
         """Check that neither the output nor the report would overwrite anything that is read."""
@@ -225,7 +247,8 @@ _OPTIONS: tuple[Option, ...] = (
         "pins",
         type=Pin(),
         multiple=True,
-        help="A point of A and what it becomes in B, each in its file's own units. Repeatable.",
+        help="A point of A and what it becomes in B, each in its file's own units. With more "
+        "drawings say of which leg: 2/AX,AY:BX,BY is from the second to the third. Repeatable.",
     ),
     click.option(
         "--match",

@@ -3,13 +3,13 @@
 import difflib
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
 from shapetween.timing.defaults import MOST_KEYFRAMES
 
-__all__ = ["PATH", "Keyframes", "Match", "Name", "Pin", "Real", "Size", "Whole"]
+__all__ = ["PATH", "Keyframes", "Match", "Name", "OfLeg", "Pin", "Real", "Size", "Whole"]
 
 PATH = click.Path(path_type=Path)
 
@@ -52,23 +52,32 @@ class Whole(click.IntRange):
         return number
 
 
-class Pin(click.ParamType[Any]):
-    """``AX,AY:BX,BY``: a point of A and the point of B that it becomes."""
+class OfLeg(NamedTuple):
+    """What is said of one leg of a chain, counted from 1, or of a pair, which has no other."""
 
-    name = "AX,AY:BX,BY"
+    leg: int | None
+    value: tuple[float, float, float, float]
+
+
+class Pin(click.ParamType[Any]):
+    """``AX,AY:BX,BY``, a point of A and the point of B that it becomes; before it ``2/``, a leg."""
+
+    name = "[LEG/]AX,AY:BX,BY"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read the four numbers."""
+        """Read the four numbers, and the leg."""
         if isinstance(value, tuple):
             return value
-        halves = [half.split(",") for half in str(value).split(":")]
+        leg, slash, pair = str(value).rpartition("/")
+        halves = [half.split(",") for half in pair.split(":")]
+        counted = not slash or (leg.isascii() and leg.isdecimal() and int(leg) > 0)
         try:
-            numbers = tuple(float(x) for half in halves for x in half)
+            (ax, ay), (bx, by) = ([float(x) for x in half] for half in halves)
         except ValueError:
-            numbers = ()
-        if not numbers or [len(half) for half in halves] != [2, 2]:
-            self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28")
-        return numbers
+            counted = False
+        if not counted:
+            self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28, nor LEG/AX,AY:BX,BY")
+        return OfLeg(int(leg) if slash else None, (ax, ay, bx, by))
 
 
 class Match(click.ParamType[Any]):

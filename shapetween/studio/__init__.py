@@ -1,0 +1,1 @@
+"""The studio: a page on this machine that shows a matching, lets it be set right, and saves it."""

@@ -1,0 +1,151 @@
+"""What the studio's worker processes do: read drawings, and move them.
+
+Workers stand in the folder of the session's drawings, so messages call these by their names alone,
+as those of the command line do. All answers are plain values that become JSON.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from shapetween.studio.job import Job
+from shapetween.studio.settings import SETTINGS
+
+if TYPE_CHECKING:
+    from shapetween.api import Morph
+    from shapetween.formats.moving import Moving
+    from shapetween.model.drawing import Drawing
+
+__all__ = ["TASKS", "full", "live", "read", "warm"]
+
+#: Shapes of a movement that is shown while a pin is dragged. More make the page slower than the
+#: hand; with fewer limbs that turn are seen to shrink between two of them.
+LIVE_KEYFRAMES = 17
+
+
+#: Digits of places that are sent to the page, as a share of the view box: a hundredth of a pixel
+#: of a large screen.
+DIGITS = 5
+
+
+def warm() -> None:
+    """Import what every movement needs, before anybody waits for it."""
+    import shapetween.api
+    import shapetween.svg.write.sequence
+    import shapetween.svg.write.smil  # noqa: F401
+
+
+def read(name: str, data: bytes) -> dict[str, Any]:
+    """What the page shows of a drawing that has just come in.
+
+    Raises
+    ------
+    ShapetweenError
+        If it cannot be read.
+    """
+    from shapetween.svg.read.reader import read_svg
+    from shapetween.svg.write.sequence import frame_svg
+
+    drawing = read_svg(data, name)
+    box = drawing.box
+    return {
+        "name": name,
+        "svg": frame_svg(drawing),
+        "box": [box.x, box.y, box.width, box.height],
+        "shapes": [
+            {"key": shape.name or f"#{k}", "rings": len(shape.rings), **_area(drawing, k - 1)}
+            for k, shape in enumerate(drawing.shapes, start=1)
+        ],
+        "warnings": [str(line) for line in drawing.warnings],
+    }
+
+
+def live(job: Job) -> dict[str, Any]:
+    """The movement of one leg as it may be seen while something is dragged."""
+    return _answer(_moved(job, quick=True), job, LIVE_KEYFRAMES)
+
+
+def full(job: Job) -> dict[str, Any]:
+    """The very movement that would be saved."""
+    return _answer(_moved(job, quick=False), job, "auto")
+
+
+def _answer(moved: "Moving", job: Job, keyframes: Any) -> dict[str, Any]:
+    from shapetween.api import Morph
+
+    timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
+    written = {s.name for s in SETTINGS if s.stage == "write"}
+    settings = {name: value for name, value in timing.items() if name in written}
+    legs = (moved,) if isinstance(moved, Morph) else moved.legs
+    return {
+        "svg": moved.svg(keyframes=keyframes, **settings),
+        "seconds": _seconds(job, settings),
+        "warnings": list(moved.warnings),
+        "legs": [{"rings": _rings(leg)} for leg in legs],
+    }
+
+
+def _seconds(job: Job, settings: dict[str, Any]) -> float:
+    """How long all of it takes, until it stops or starts over."""
+    from shapetween.timing.timeline import Timeline
+
+    values = {s.name: settings.get(s.name, s.default) for s in SETTINGS}
+    plan = Timeline(values["duration"], values["loop"], values["hold"], len(job.legs), job.closed)
+    return plan.seconds
+
+
+def _moved(job: Job, *, quick: bool) -> "Moving":
+    from shapetween.api import morph
+    from shapetween.api import chain
+
+    prepared = {s.name for s in SETTINGS if s.stage == "prepare"}
+    options = {name: value for name, value in job.options.items() if name in prepared}
+    if quick:
+        options["folds"] = "allow"
+    if len(job.legs) == 1:
+        leg = job.legs[0]
+        matches = [tuple(match.split(":", 1)) for match in leg.matches]
+        return morph(*map(Path, job.drawings), pins=leg.pins, matches=matches, **options)  # type: ignore[arg-type]
+    pins = {k: leg.pins for k, leg in enumerate(job.legs, start=1) if leg.pins}
+    return chain(map(Path, job.drawings), pins=pins, **options)
+
+
+def _rings(leg: "Morph") -> list[dict[str, Any]]:
+    """Which points belong together, each in its own drawing's units."""
+    return [
+        {
+            "name": ring.name,
+            "hole": ring.hole,
+            "closed": True,
+            "a": _numbers(ring.source),
+            "b": _numbers(ring.target),
+        }
+        for ring in leg.correspondence
+    ]
+
+
+def _numbers(points: Any) -> list[list[float]]:
+    """Points rounded for the page."""
+    import numpy as np
+
+    size = float(np.ptp(points, axis=0).max()) or 1.0
+    rounded: list[list[float]] = np.round(points, DIGITS - int(np.floor(np.log10(size)))).tolist()
+    return rounded
+
+
+def _area(drawing: "Drawing", k: int) -> dict[str, str]:
+    """One shape as path data, for the page to tell what is pointed at."""
+    shape = drawing.shapes[k]
+    words: list[str] = []
+    for ring in shape.rings:
+        words.append("M{:.6g} {:.6g}".format(*ring.curves[0, 0]))
+        words += [
+            "C{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}".format(*curve[1:].ravel())
+            for curve in ring.curves
+        ]
+        words += ["Z"] if ring.closed else []
+    return {"d": "".join(words)}
+
+
+TASKS: dict[str, Callable[..., Any]] = {"warm": warm, "read": read, "live": live, "full": full}
+"""What a worker may be asked for."""
