@@ -217,7 +217,7 @@ def morph(
     options = Options(
         method=method,
         quads=quads,
-        pins=tuple(checked_pin(pin) for pin in pins),
+        pins=tuple(_pin(pin) for pin in pins),
         matches=tuple(matches),
         meshes=(("", mesh),) if isinstance(mesh, MeshPair) else tuple(mesh),
         fit=fit,

@@ -16,6 +16,7 @@ from shapetween.cli.options import (
     loop_option,
     out_option,
 )
+from shapetween.cli.project import no_drawings_beside, project_option
 from shapetween.cli.values import PATH, Keyframes, Name, Real, Size, Whole
 from shapetween.io.progress import Progress
 
@@ -88,6 +89,7 @@ BACKGROUND = click.option(
 )
 @SIZE
 @BACKGROUND
+@project_option
 @common
 def morph(
     a: Path,
@@ -107,6 +109,7 @@ def morph(
     from shapetween.formats.options import write_options
     from shapetween.formats.table import writer_of
 
+    no_drawings_beside()
     drawings = [a, b, *more]
     path = out or Path(f"{_joined(drawings)}.svg")
     writer, options = writer_of(path), write_options(settings)

@@ -49,32 +49,31 @@ class Form:
     takes: tuple[str, ...] = ()
 
 
-#: What is made by other commands than `morph`.
-OTHERS = {
-    "frames": Form("-frames.zip", "Frames as SVG", "frames", folder=True, takes=("frames",)),
-    "png-frames": Form(
-        "-frames-png.zip",
-        "Frames as PNG",
-        "frames",
-        ("--png",),
-        folder=True,
-        takes=("frames", "size", "background"),
-    ),
-    "mesh": Form("-mesh.svg", "Picture of the mesh", "mesh"),
-    "mesh-json": Form("-mesh.json", "Mesh as JSON", "mesh"),
-}
-
-
 @cache
 def forms() -> dict[str, Form]:
-    """Every kind of file, by what the page asks for: those of the command line's own table."""
-    from shapetween.formats.table import WRITERS
+    """Every kind of file, by what the page asks for: those of the command line's own tables."""
+    from shapetween.formats.table import FRAMES, WRITERS
 
     written = {
         ending.removeprefix("."): Form(ending, _titled(writer.what), takes=writer.takes)
         for ending, writer in WRITERS.items()
     }
-    return written | OTHERS
+    frames = {
+        f"frames{ending}": Form(
+            f"-frames{ending.replace('.', '-')}.zip",
+            _titled(writer.what),
+            "frames",
+            ("--png",) if ending == ".png" else (),
+            folder=True,
+            takes=writer.takes,
+        )
+        for ending, writer in FRAMES.items()
+    }
+    mesh = {
+        "mesh": Form("-mesh.svg", "Picture of the mesh", "mesh"),
+        "mesh.json": Form("-mesh.json", "Mesh as JSON", "mesh"),
+    }
+    return written | frames | mesh
 
 
 def _titled(what: str) -> str:
@@ -147,7 +146,13 @@ def export(job: Job, form: str, extra: tuple[str, ...], folder: Path) -> Export:
     try:
         with tempfile.TemporaryDirectory(prefix="shapetween-export-") as place:
             out = Path(place) / (Path(name).stem if kind.folder else name)
-            words = [*arguments(job, paths, kind.command, kind.takes), *kind.extra, *extra, "-o", str(out)]
+            words = [
+                *arguments(job, paths, kind.command, kind.takes),
+                *kind.extra,
+                *extra,
+                "-o",
+                str(out),
+            ]
             warnings = _ran(words, folder, {str(out): name})
             return Export(name, _packed(out) if kind.folder else out.read_bytes(), warnings)
     except OSError as error:

@@ -17,17 +17,26 @@ once. A leg says what is settled of one drawing and the next; what is as usual m
 """
 
 import json
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from shapetween.base.errors import OptionError
 from shapetween.io.jsonfile import parse
 from shapetween.studio.job import Job, job_of
 
-__all__ = ["Project", "project_of", "project_text"]
+__all__ = ["Project", "plain_name", "project_of", "project_text"]
 
 VERSION = 1
+
+#: Letters of a drawing's name: what file systems take whatever is put before and behind it.
+MOST_LETTERS = 80
+
+#: What a drawing may not be called: all but letters and digits of any script, and what no shell or
+#: folder gives a meaning.
+_STRANGE = re.compile(r"[^\w.\- ]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,3 +130,11 @@ def _drawing(data: Any, place: str, beside: Callable[[str], bytes] | None) -> tu
     if not isinstance(file, str) or beside is None:
         raise OptionError(f"{place}.file: expected a drawing in the project itself, as svg")
     return known, beside(file)
+
+
+def plain_name(name: str) -> str:
+    """What a drawing is kept as: a name that is no path, and says nothing to a shell."""
+    last = re.split(r"[/\\]", name)[-1]
+    kept = _STRANGE.sub("-", last).strip(" .-")[-MOST_LETTERS:].strip(" .-")
+    stem = Path(kept).stem if Path(kept).suffix.lower() == ".svg" else kept
+    return f"{stem or 'drawing'}.svg"

@@ -1,6 +1,5 @@
 """The drawings of one run of the studio, and what the page may ask of them."""
 
-import re
 import threading
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,19 +9,15 @@ from shapetween.base.errors import OptionError
 from shapetween.io import files
 from shapetween.studio import settings
 from shapetween.studio.command import default_name, shown
-from shapetween.studio.exports import OUTPUT, Export, export, forms, output_words
+from shapetween.studio.exports import OUTPUT, Export, Form, export, forms, output_words
 from shapetween.studio.job import Job, job_of
-from shapetween.studio.project import Project, project_of, project_text
+from shapetween.studio.project import Project, plain_name, project_of, project_text
 from shapetween.studio.workers import Workers
 
 __all__ = ["Session"]
 
-#: Most drawings of a session, and most letters of a name.
-MOST_DRAWINGS, MOST_LETTERS = 200, 80
-
-#: What a drawing may be called: letters and digits of any script, and what no shell or folder gives
-#: a meaning.
-_STRANGE = re.compile(r"[^\w.\- ]+")
+#: Most drawings of a session: more are a mistake, and fill the memory.
+MOST_DRAWINGS = 200
 
 
 class Session:
@@ -76,12 +71,10 @@ class Session:
         with self._lock:
             last = self._last
         return {
-            "drawings": {
-                name: self._view(name) for name in dict.fromkeys(last.get("drawings", ()))
-            },
+            "drawings": dict(self._views),
             "last": last,
             "settings": settings.as_json(),
-            "forms": {key: {"ending": f.ending, "label": f.label, "takes": [t for t in f.takes if t in OUTPUT]} for key, f in forms().items()},
+            "forms": {key: _told(form) for key, form in forms().items()},
         }
 
     def add(self, name: str, data: bytes) -> dict[str, Any]:
@@ -152,11 +145,11 @@ class Session:
         """Read a drawing and keep it; the name it has got."""
         with self._lock:
             for known, content in self._files.items():
-                if content == data and _plain(name) == _plain(known):
+                if content == data and plain_name(name) == plain_name(known):
                     return known
             if len(self._files) >= MOST_DRAWINGS:
                 raise OptionError(f"{name}: the studio takes {MOST_DRAWINGS} drawings")
-        shown_name = _plain(name)
+        shown_name = plain_name(name)
         view = self.workers.quick("read", shown_name, data)
         with self._lock:
             free, k = shown_name, 1
@@ -176,9 +169,7 @@ class Session:
         return {name: self._given.get(name, name) for name in job.drawings}
 
 
-def _plain(name: str) -> str:
-    """A name that is no path, and says nothing to a shell."""
-    last = re.split(r"[/\\]", name)[-1]
-    kept = _STRANGE.sub("-", last).strip(" .-")[-MOST_LETTERS:].strip(" .-")
-    stem = Path(kept).stem if Path(kept).suffix.lower() == ".svg" else kept
-    return f"{stem or 'drawing'}.svg"
+def _told(form: Form) -> dict[str, Any]:
+    """What the page needs to know of a kind of file."""
+    takes = [name for name in form.takes if name in OUTPUT]
+    return {"ending": form.ending, "label": form.label, "takes": takes}

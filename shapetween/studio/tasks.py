@@ -12,8 +12,7 @@ from shapetween.studio.job import Job
 from shapetween.studio.settings import SETTINGS
 
 if TYPE_CHECKING:
-    from shapetween.api import Morph
-    from shapetween.formats.moving import Moving
+    from shapetween.api import Chain, Morph
     from shapetween.model.drawing import Drawing
 
 __all__ = ["TASKS", "full", "live", "read", "warm"]
@@ -70,7 +69,7 @@ def full(job: Job) -> dict[str, Any]:
     return _answer(_moved(job, quick=False), job, "auto")
 
 
-def _answer(moved: "Moving", job: Job, keyframes: Any) -> dict[str, Any]:
+def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
     from shapetween.api import Morph
 
     timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
@@ -87,16 +86,16 @@ def _answer(moved: "Moving", job: Job, keyframes: Any) -> dict[str, Any]:
 
 def _seconds(job: Job, settings: dict[str, Any]) -> float:
     """How long all of it takes, until it stops or starts over."""
+    from shapetween.formats.options import write_options
     from shapetween.timing.timeline import Timeline
 
-    values = {s.name: settings.get(s.name, s.default) for s in SETTINGS}
-    plan = Timeline(values["duration"], values["loop"], values["hold"], len(job.legs), job.closed)
+    options = write_options(settings)
+    plan = Timeline(options.duration, options.loop, options.hold, len(job.legs), job.closed)
     return plan.seconds
 
 
-def _moved(job: Job, *, quick: bool) -> "Moving":
-    from shapetween.api import morph
-    from shapetween.api import chain
+def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
+    from shapetween.api import chain, morph
 
     prepared = {s.name for s in SETTINGS if s.stage == "prepare"}
     options = {name: value for name, value in job.options.items() if name in prepared}

@@ -47,7 +47,7 @@ export class Exporter {
     const { takes } = this.forms[this.form.value];
     for (const [key, input] of Object.entries(this.inputs)) input.parentElement.hidden = !takes.includes(key);
     const drawings = new Set(state.current().drawings);
-    const one = state.current().legs.length > 1 && ["mesh", "mesh-json"].includes(this.form.value);
+    const one = state.current().legs.length > 1 && ["mesh", "mesh.json"].includes(this.form.value);
     this.go.disabled = one;
     if (one) this.say(`A mesh is of two drawings, and here are ${drawings.size}.`, true);
     else if (!this.go.dataset.busy) this.say("");
