@@ -64,9 +64,7 @@ def test_the_report_of_a_chain(run: Command, tmp_path: Path) -> None:
     assert all(leg["rings"][0]["quads"] >= 1 for leg in report["legs"])
 
 
-@pytest.mark.parametrize(
-    "option", ["--pin 1,1:2,2", "--match x:y", "--mesh mesh.json"], ids=["pin", "match", "mesh"]
-)
+@pytest.mark.parametrize("option", ["--match x:y", "--mesh mesh.json"], ids=["match", "mesh"])
 def test_what_concerns_one_pair_is_refused(run: Command, option: str) -> None:
     for command in ("morph", "frames"):
         result = run(f"{command} a.svg b.svg a.svg {option}")
