@@ -169,6 +169,9 @@ class Handler(BaseHTTPRequestHandler):
     def _live(self, body: bytes) -> None:
         self._send_json(self.server.session.live(self._job(body)))
 
+    def _alternatives(self, body: bytes) -> None:
+        self._send_json(self.server.session.alternatives(self._job(body)))
+
     def _full(self, body: bytes) -> None:
         page = self.headers.get("X-Page", "")[:64]
         self._send_json(self.server.session.full(page, self._job(body)))
@@ -198,6 +201,7 @@ CALLS: dict[str, Callable[[Handler, bytes], None]] = {
     "/api/open": Handler._open,
     "/api/command": Handler._command,
     "/api/live": Handler._live,
+    "/api/alternatives": Handler._alternatives,
     "/api/full": Handler._full,
     "/api/save": Handler._save,
     "/api/export": Handler._export,

@@ -100,6 +100,10 @@ class Session:
         """A preview."""
         return self.workers.quick("live", job)
 
+    def alternatives(self, job: Job) -> Any:
+        """The best matchings of one leg, each as it moves."""
+        return self.workers.quick("alternatives", job)
+
     def full(self, page: str, job: Job) -> Any:
         """The full result."""
         with self._lock:

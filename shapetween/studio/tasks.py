@@ -69,6 +69,12 @@ def full(job: Job) -> dict[str, Any]:
     return _answer(_moved(job, quick=False), job, "auto")
 
 
+def alternatives(job: Job) -> dict[str, Any]:
+    """The best distinct matchings of one leg, each as it moves."""
+    del job
+    return {"alternatives": []}
+
+
 def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
     from shapetween.api import Morph
 
@@ -146,5 +152,7 @@ def _area(drawing: "Drawing", k: int) -> dict[str, str]:
     return {"d": "".join(words)}
 
 
-TASKS: dict[str, Callable[..., Any]] = {"warm": warm, "read": read, "live": live, "full": full}
+TASKS: dict[str, Callable[..., Any]] = {
+    task.__name__: task for task in (warm, read, live, alternatives, full)
+}
 """What a worker may be asked for."""

@@ -2,6 +2,8 @@
 
 import http.client
 import json
+import shutil
+import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -92,3 +94,21 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Client]:
 
 PAIR = {"drawings": ["horse.svg", "kangaroo.svg"]}
 """What the page asks for when nothing has been set."""
+
+
+@pytest.fixture(scope="session")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The accessibility checker axe-core, where npm can fetch it."""
+    npm = shutil.which("npm")
+    if npm is None:
+        pytest.skip("no npm on this machine to fetch axe-core with")
+    folder = tmp_path_factory.mktemp("axe")
+    words = [npm, "install", "--no-audit", "--no-fund", "--silent", "axe-core@4"]
+    try:
+        done = subprocess.run(words, cwd=folder, capture_output=True, timeout=120, check=False)
+    except subprocess.TimeoutExpired:
+        pytest.skip("axe-core cannot be fetched")
+    script = folder / "node_modules" / "axe-core" / "axe.min.js"
+    if done.returncode or not script.is_file():
+        pytest.skip("axe-core cannot be fetched")
+    return script.read_text("utf-8")

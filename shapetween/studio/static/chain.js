@@ -49,13 +49,15 @@ export class Chain {
   }
 
   leg(k, pressed, count) {
-    const made = button("→", `Look at leg ${k + 1}: ${state.current().drawings[k]} to ${state.current().drawings[k + 1]}`, () => {
+    const { drawings, legs } = state.current(), pins = legs[k].pins.length;
+    const text = pins ? `→ ${pins} pin${pins > 1 ? "s" : ""}` : "→";
+    const title = `Look at leg ${k + 1}: ${drawings[k]} to ${drawings[k + 1]}`;
+    const made = button(text, title, () => {
       state.settle();
       state.change((s) => ({ ...s, leg: k }));
     }, `chain-leg-${k}`, "leg");
+    made.setAttribute("aria-label", `${text} ${title}`);
     if (count > 1) made.setAttribute("aria-pressed", pressed);
-    const pins = state.current().legs[k].pins.length;
-    if (pins) made.textContent = `→ ${pins} pin${pins > 1 ? "s" : ""}`;
     return made;
   }
 
