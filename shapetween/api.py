@@ -133,11 +133,23 @@ class Chain(Moving):
         What the drawings are called, one more than legs.
     closed : bool
         Whether the last drawing is the first one again.
+    fits : tuple of (2, 3) float64
+        From each drawing's own user units to those of the first.
     """
 
     legs: tuple[Morph, ...] = field(repr=False)
     names: tuple[str, ...]
     closed: bool = field()  # else the property it stands for would be its default
+    fits: tuple[Affine, ...] = field(repr=False)
+
+    @property
+    def correspondence(self) -> tuple[tuple[RingCorrespondence, ...], ...]:
+        """Which points belong together on each leg, in each drawing's own user units."""
+        back = [inverted(matrix) for matrix in self.fits]
+        return tuple(
+            tuple(ring.moved(*both) for ring in leg.correspondence)
+            for leg, both in zip(self.legs, pairwise(back), strict=True)
+        )
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -286,7 +298,7 @@ def chain(
         prepared = prepare(*pair, own, names=both, observe=observe)
         titled = replace(prepared, movement=replace(prepared.movement, title=title))
         legs.append(Morph(titled, method))
-    return Chain(tuple(legs), names, read[0] is read[-1])
+    return Chain(tuple(legs), names, read[0] is read[-1], tuple(frames))
 
 
 def _key(source: Source) -> str | int:

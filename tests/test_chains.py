@@ -198,3 +198,23 @@ def test_options_serve_every_leg() -> None:
     middle = found.at(0.75).shapes[0].rings[0].box
     np.testing.assert_allclose(middle, [[20, 10], [60, 50]], atol=1e-6)
     assert found.report()["method"] == "linear"
+
+
+def test_pins_of_a_leg_are_kept_in_each_drawings_own_units(files: dict[str, Path]) -> None:
+    paths = [files["a"], files["b"], files["c"]]
+    pins = {1: [(1, 1, 18, 2)], 2: [(18, 2, 190, 60)]}
+    c = st.chain(paths, pins=pins)
+    for k, ((ax, ay, bx, by),) in pins.items():
+        rings = c.correspondence[k - 1]
+        gaps = np.hypot(rings[0].source[:, 0] - ax, rings[0].source[:, 1] - ay)
+        at = int(gaps.argmin())
+        assert gaps[at] < 1e-6
+        np.testing.assert_allclose(rings[0].target[at], [bx, by], atol=1e-6)
+    free = st.chain(paths)
+    assert c.legs[0].at(0.5).drawn != free.legs[0].at(0.5).drawn
+
+
+def test_pins_of_a_leg_that_is_not_there(files: dict[str, Path]) -> None:
+    for leg in (0, 2, "1"):
+        with pytest.raises(OptionError, match=r"there is no leg"):
+            st.chain([files["a"], files["b"]], pins={leg: [(1, 1, 2, 2)]})  # type: ignore[dict-item]

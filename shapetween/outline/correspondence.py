@@ -46,3 +46,8 @@ class RingCorrespondence:
         """
         samples = ring.samples
         return cls(name, ring.hole, samples.w, samples.source, mapped(samples.target, back))
+
+    def moved(self, source: Affine, target: Affine) -> RingCorrespondence:
+        """The same with the points of each drawing mapped by a map of its own, (2, 3)."""
+        ends = mapped(self.source, source), mapped(self.target, target)
+        return RingCorrespondence(self.name, self.hole, self.w, *ends)

@@ -14,6 +14,7 @@ from shapetween.studio.settings import SETTINGS
 if TYPE_CHECKING:
     from shapetween.api import Chain, Morph
     from shapetween.model.drawing import Drawing
+    from shapetween.outline.correspondence import RingCorrespondence
 
 __all__ = ["TASKS", "full", "live", "read", "warm"]
 
@@ -81,7 +82,7 @@ def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
     timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
     written = {s.name for s in SETTINGS if s.stage == "write"}
     settings = {name: value for name, value in timing.items() if name in written}
-    legs = (moved,) if isinstance(moved, Morph) else moved.legs
+    legs = (moved.correspondence,) if isinstance(moved, Morph) else moved.correspondence
     return {
         "svg": moved.svg(keyframes=keyframes, **settings),
         "seconds": _seconds(job, settings),
@@ -115,7 +116,7 @@ def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
     return chain(map(Path, job.drawings), pins=pins, **options)
 
 
-def _rings(leg: "Morph") -> list[dict[str, Any]]:
+def _rings(leg: "tuple[RingCorrespondence, ...]") -> list[dict[str, Any]]:
     """Which points belong together, each in its own drawing's units."""
     return [
         {
@@ -125,7 +126,7 @@ def _rings(leg: "Morph") -> list[dict[str, Any]]:
             "a": _numbers(ring.source),
             "b": _numbers(ring.target),
         }
-        for ring in leg.correspondence
+        for ring in leg
     ]
 
 
