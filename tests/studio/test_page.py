@@ -125,8 +125,9 @@ class Studio:
             self.page.mouse.move(*(a + share * (b - a) for a, b in zip(start, end, strict=True)))
             time.sleep(0.02)
 
-    def pins(self) -> list[list[float]]:
-        return [list(map(float, row)) for row in self.page.evaluate(PINS)]
+    def pins(self) -> list[tuple[float, float, float, float]]:
+        rows = self.page.evaluate(PINS)
+        return [(float(ax), float(ay), float(bx), float(by)) for ax, ay, bx, by in rows]
 
 
 @pytest.fixture(scope="module")
@@ -206,7 +207,7 @@ def test_a_pin_is_born_on_the_match(studio: Studio) -> None:
         for points, end in ((ring.source, pin[:2]), (ring.target, pin[2:]))
     ]
     assert abs(near[0] - near[1]) <= 2
-    drawn = st.morph(HORSE, KANGAROO, pins=[tuple(pin)]).at(0.5).shapes[0].rings[0]
+    drawn = st.morph(HORSE, KANGAROO, pins=[pin]).at(0.5).shapes[0].rings[0]
     assert abs(drawn.area / free.at(0.5).shapes[0].rings[0].area - 1) < 0.03
 
 
@@ -220,7 +221,7 @@ def test_dragging_shows_the_movement_at_once_and_then_the_full_result(studio: St
     studio.rest()
     pins = studio.pins()
     assert len(pins) == 1
-    m = st.morph(HORSE, KANGAROO, pins=[tuple(pins[0])])
+    m = st.morph(HORSE, KANGAROO, pins=[pins[0]])
     shown = studio.client.call(
         "/api/full", {"drawings": ["horse.svg", "kangaroo.svg"], "legs": [{"pins": pins}]}
     ).json["svg"]
@@ -274,7 +275,7 @@ def test_pins_are_typed(studio: Studio) -> None:
         field.fill(value)
         field.press("Tab")
     studio.rest()
-    assert studio.pins() == [[22, 9.5, 22, 7]]
+    assert studio.pins() == [(22, 9.5, 22, 7)]
     assert "--pin 22,9.5:22,7" in studio.text("#command")
 
 
@@ -328,7 +329,7 @@ def test_the_saved_file_is_what_is_shown(studio: Studio, tmp_path: Path) -> None
     assert download.value.suggested_filename == "horse-to-kangaroo.svg"
     download.value.save_as(tmp_path / "saved.svg")
     saved = (tmp_path / "saved.svg").read_text("utf-8")
-    pin = tuple(studio.pins()[0])
+    pin = studio.pins()[0]
     assert saved == st.morph(HORSE, KANGAROO, pins=[pin]).svg()
     studio.until(lambda: "Saved horse-to-kangaroo.svg" in studio.text("#export-state"))
 
