@@ -1,0 +1,100 @@
+"""Centre lines are found again where strokes were outlined, and nowhere else."""
+
+import numpy as np
+import pytest
+import shapely
+
+from shapetween.model.outline import Outline
+from shapetween.scene.centrelines import centre_lines
+from tests.scene.strokes import arc, flat, painted, polyline
+
+CHECK = [polyline((4, 13), (9, 18), (20, 6))]
+PLUS = [polyline((4, 12), (20, 12)), polyline((12, 4), (12, 20))]
+CROSS = [polyline((5, 5), (19, 19)), polyline((19, 5), (5, 19))]
+ARROW = [polyline((3, 12), (21, 12)), polyline((14, 5), (21, 12), (14, 19))]
+GLASS = [arc((10, 10), 6, 0, 4), polyline((14.2, 14.2), (21, 21))]
+SHACKLE = [arc((12, 10), 5, 90, 3)]
+RING = [arc((12, 12), 8, 0, 4)]
+TEE = [polyline((3, 6), (21, 6)), polyline((12, 6), (12, 21))]
+BAR = [polyline((3, 12), (21, 12))]
+
+STROKES = {
+    "bar": BAR,
+    "check": CHECK,
+    "plus": PLUS,
+    "cross": CROSS,
+    "arrow": ARROW,
+    "magnifier": GLASS,
+    "shackle": SHACKLE,
+    "ring": RING,
+    "tee": TEE,
+}
+
+
+def distance(found: Outline, drawn: list[Outline]) -> float:
+    """Greatest distance of a line from the nearest of some others."""
+    lines = shapely.union_all([shapely.LineString(_chords(line)) for line in drawn])
+    return float(shapely.distance(lines, shapely.points(_chords(found))).max())
+
+
+def _chords(line: Outline) -> np.ndarray:
+    return np.concatenate([flat(line.curves), line.curves[-1:, 3]])
+
+
+@pytest.mark.parametrize("name", STROKES)
+@pytest.mark.parametrize("angle", [0, 17])
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e5])
+def test_strokes_are_found_again(name: str, angle: int, scale: float) -> None:
+    a = np.deg2rad(angle)
+    turn = scale * np.array([[np.cos(a), -np.sin(a), 3], [np.sin(a), np.cos(a), -7]])
+    drawn = [line.transformed(turn) for line in STROKES[name]]
+    width = 1.6 * scale
+    found = centre_lines(painted(drawn, width))
+    assert found is not None
+    lines, measured = found
+    assert measured == pytest.approx(width, rel=0.01)
+    assert len(lines) == len(drawn)
+    assert sorted(item.line.closed for item in lines) == sorted(line.closed for line in drawn)
+    for item in lines:
+        assert distance(item.line, drawn) < 0.05 * width
+    for line in drawn:
+        # A handle starts at the ring's middle line, inside of its own stroke.
+        assert distance(line, [item.line for item in lines]) < 0.15 * width
+
+
+def test_lines_go_straight_on_at_crossings_and_end_on_others() -> None:
+    found = centre_lines(painted(ARROW, 1.6))
+    assert found is not None
+    shaft, head = sorted(found[0], key=lambda item: len(item.line.curves))
+    assert sorted(shaft.free) == [False, True]
+    assert head.free == (True, True)
+    crossing = centre_lines(painted(PLUS, 1.6))
+    assert crossing is not None
+    assert all(item.free == (True, True) for item in crossing[0])
+    assert all(len(item.line.curves) == 1 for item in crossing[0])
+
+
+def star(points: int, inner: float) -> shapely.Polygon:
+    k = np.arange(2 * points)
+    radius = np.where(k % 2 == 0, 10, inner)
+    angle = np.pi * k / points
+    return shapely.Polygon(np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1))
+
+
+BODIES = {
+    "disc": shapely.Point(0, 0).buffer(9),
+    "square": shapely.box(0, 0, 10, 10),
+    "short bar": shapely.box(0, 0, 12, 4),
+    "triangle": shapely.Polygon([(0, 0), (10, 6), (0, 12)]),
+    "star": star(5, 4),
+    "gear": star(12, 8),
+    "nut": shapely.Point(0, 0).buffer(9).difference(shapely.Point(0, 0).buffer(3)),
+    "wedge": shapely.Polygon([(0, 0), (20, 2), (20, 3)]),
+    "lens": shapely.Point(-8, 0).buffer(10).intersection(shapely.Point(8, 0).buffer(10)),
+    "paddle": shapely.Point(0, 0).buffer(6).union(shapely.box(0, -1, 20, 1)),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_bodies_have_none(name: str) -> None:
+    assert centre_lines(BODIES[name]) is None
