@@ -208,7 +208,8 @@ class ShownPart:
         start, end = self.shown
         if start <= t < end or t == end == 1:
             return self.part.style(t)
-        return Style(fill=None, fill_rule=self.part.style(t).fill_rule)
+        hidden = self.part.style(t)
+        return Style(fill=None, fill_rule=hidden.fill_rule, groups=hidden.groups)
 
 
 def unrepeated(parts: Sequence[Part]) -> list[Part]:

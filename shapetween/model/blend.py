@@ -19,6 +19,7 @@ from shapetween.attach.whole import WholeMotion
 from shapetween.base.arrays import Floats
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
+from shapetween.model.blend_groups import blend_groups
 from shapetween.model.gradients import (
     common_offsets,
     in_normal_form,
@@ -93,6 +94,8 @@ def _between(a: Style, b: Style, t: float, turn: float) -> Style:
         stroke=_blend_strokes(a.stroke, b.stroke, t, turn),
         opacity=_mix(a.opacity, b.opacity, t),
         fill_rule=_either(a.fill_rule, b.fill_rule, t),
+        groups=blend_groups(a.groups, b.groups, t, lambda p, q: _between(p, q, t, turn)),
+        crisp=_either(a.crisp, b.crisp, t),
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from shapetween.base.arrays import Affine
-from shapetween.model.gradients import moved_style
+from shapetween.model.gradients import moved_group, moved_style
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 
@@ -74,7 +74,9 @@ class Drawing:
         scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
         shapes = []
         for shape in self.shapes:
-            style = moved_style(shape.style, matrix)
+            style = moved_style(replace(shape.style, groups=()), matrix)
+            groups = tuple(moved_group(group, matrix, refit=True) for group in shape.style.groups)
+            style = replace(style, groups=groups)
             if style.stroke is not None:
                 stroke = style.stroke
                 style = replace(

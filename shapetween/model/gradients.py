@@ -7,12 +7,16 @@ halfway between a matrix and its half turn everything does.
 """
 
 from dataclasses import replace
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats
+from shapetween.model.effects import Filter, Group, Mask
 from shapetween.model.paint import Colour, Gradient, Stop, Style, Texture
+
+if TYPE_CHECKING:
+    from shapetween.model.drawing import Shape
 
 __all__ = [
     "IDENTITY",
@@ -20,6 +24,7 @@ __all__ = [
     "has_gradient",
     "in_normal_form",
     "moved",
+    "moved_group",
     "moved_style",
     "on_offsets",
     "solid_gradient",
@@ -74,6 +79,8 @@ def in_normal_form(gradient: Gradient) -> Gradient:
 
 def has_gradient(style: Style) -> bool:
     """Whether anything in a style lies somewhere in the plane."""
+    if any(group.masks or group.filter is not None for group in style.groups):
+        return True
     paints = (style.fill, style.stroke.paint if style.stroke is not None else None)
     return any(isinstance(paint, Gradient) for paint in paints)
 
@@ -86,7 +93,10 @@ def moved(paint: PlacedT, matrix: Affine) -> PlacedT:
 
 
 def moved_style(style: Style, matrix: Affine) -> Style:
-    """The style with its gradients and its texture moved; strokes stay as wide as they are."""
+    """The style with all of it that lies somewhere moved; strokes stay as wide as they are."""
+    if style.groups:
+        groups = tuple(moved_group(group, matrix) for group in style.groups)
+        style = replace(style, groups=groups)
     if style.texture is not None:
         style = replace(style, texture=moved(style.texture, matrix))
     if isinstance(style.fill, Gradient):
@@ -95,6 +105,73 @@ def moved_style(style: Style, matrix: Affine) -> Style:
         paint = moved(style.stroke.paint, matrix)
         style = replace(style, stroke=replace(style.stroke, paint=paint))
     return style
+
+
+def moved_group(group: Group, matrix: Affine, *, refit: bool = False) -> Group:
+    """A group after an affine map (2, 3) of what is in it.
+
+    Parameters
+    ----------
+    group : Group
+    matrix : (2, 3) float64
+    refit : bool
+        Whether the whole drawing is brought into another frame, and the units of a filter with
+        it; else the shapes move within their frame, and only the region of a filter follows.
+    """
+    masks = tuple(
+        Mask(tuple(_moved_shape(shape, matrix) for shape in mask.shapes), mask.plain)
+        for mask in group.masks
+    )
+    found = group.filter
+    return replace(
+        group,
+        masks=masks,
+        filter=None if found is None else _moved_filter(found, matrix, refit),
+    )
+
+
+def _moved_shape(shape: "Shape", matrix: Affine) -> "Shape":
+    """A shape of a mask; its stroke grows as its area does."""
+    style = moved_style(shape.style, matrix)
+    stroke = style.stroke
+    if stroke is not None:
+        scale = _scale(matrix)
+        stroke = replace(
+            stroke,
+            width=stroke.width * scale,
+            dashes=tuple(dash * scale for dash in stroke.dashes),
+            dash_offset=stroke.dash_offset * scale,
+        )
+    rings = tuple(ring.transformed(matrix) for ring in shape.rings)
+    return replace(shape, rings=rings, style=replace(style, stroke=stroke))
+
+
+def _moved_filter(found: Filter, matrix: Affine, refit: bool) -> Filter:
+    a, b, c, d, e, f = found.matrix
+    own = np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
+    if found.matrix != IDENTITY and refit:
+        return replace(found, matrix=tuple((matrix @ own).T.ravel().tolist()))
+    region = found.region
+    if not found.in_box:
+        local = np.linalg.inv(own) @ np.vstack([matrix, [0.0, 0.0, 1.0]]) @ own
+        x, y, width, height = region
+        corners = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
+        corners = corners @ local[:2, :2].T + local[:2, 2]
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        width, height = (high - low).tolist()
+        region = (float(low[0]), float(low[1]), width, height)
+    if found.matrix != IDENTITY:
+        return replace(found, region=region)
+    scale = _scale(matrix)
+    primitives = tuple(
+        replace(p, lengths=tuple((n, tuple(v * scale for v in vs)) for n, vs in p.lengths))
+        for p in found.primitives
+    )
+    return replace(found, region=region, primitives=primitives)
+
+
+def _scale(matrix: Affine) -> float:
+    return float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
 
 
 def solid_gradient(colour: Colour, pattern: Gradient) -> Gradient:

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
+from shapetween.model.effects import Group
+
 __all__ = ["Colour", "FillRule", "Gradient", "Paint", "Stop", "Stroke", "Style", "Texture"]
 
 FillRule: TypeAlias = Literal["nonzero", "evenodd"]
@@ -98,7 +100,8 @@ class Style:
     """Everything that paints one shape.
 
     A texture fills it where pictures are made; anywhere else, and beside other paints, `fill`
-    stands for it.
+    stands for it. `groups` are those that the shape is in, the outermost first. `crisp` says that
+    edges are drawn without shades, so that none show where shapes meet.
     """
 
     fill: Paint = field(default_factory=Colour)
@@ -106,3 +109,5 @@ class Style:
     opacity: float = 1.0
     fill_rule: FillRule = "nonzero"
     texture: Texture | None = None
+    groups: tuple[Group, ...] = ()
+    crisp: bool = False

@@ -56,11 +56,69 @@ def test_clips_of_groups_and_of_clips_meet() -> None:
     assert area(read(body)) == pytest.approx(10 * 50)
 
 
-def test_a_cut_stroke_becomes_an_area() -> None:
-    line = '<path d="M0 50H100" stroke="red" stroke-width="10" clip-path="url(#c)"/>'
-    drawing = read(HALF + line)
-    assert drawing.shapes[0].style.stroke is None
-    assert area(drawing) == pytest.approx(50 * 10)
+def test_a_cut_stroke_stays_a_stroke_under_a_clip() -> None:
+    line = '<path id="{}" d="M0 50H100" stroke="red" stroke-width="10" clip-path="url(#c)"/>'
+    one, two = read(
+        HALF + f'<g clip-path="url(#c)">{line.format("a")}{line.format("b")}</g>'
+    ).shapes
+    assert one.style.stroke is not None
+    assert one.rings[0].curves[-1, 3].tolist() == [100, 50]
+    ((mask,),) = (group.masks for group in one.style.groups)
+    assert mask.plain
+    assert abs(mask.shapes[0].rings[0].area) == pytest.approx(50 * 100)
+    assert one.style.groups == two.style.groups
+
+
+def test_a_stroke_that_a_clip_leaves_alone_has_none() -> None:
+    line = '<path d="M10 50H40" stroke="red" stroke-width="10" clip-path="url(#c)"/>'
+    (shape,) = read(HALF + line).shapes
+    assert shape.style.groups == ()
+
+
+def test_fill_and_stroke_are_cut_each_in_its_way() -> None:
+    shape = '<path d="M10 10H90V90z" fill="blue" stroke="red" clip-path="url(#c)"/>'
+    fill, stroke = read(HALF + shape).shapes
+    assert (fill.style.stroke, stroke.style.fill) == (None, None)
+    assert fill.rings[0].box[1].tolist() == [50, pytest.approx(50)]
+    assert (len(fill.style.groups), len(stroke.style.groups)) == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("shape", "expected"),
+    [
+        ("circle(20px at 50px 50px)", np.pi * 400),
+        ("circle()", np.pi * 40**2),
+        ("circle(farthest-side at 10px 50px)", None),
+        ("ellipse(10px 20px)", np.pi * 200),
+        ("ellipse()", np.pi * 40**2),
+        ("inset(10px)", 60 * 60),
+        ("inset(25% 0)", 40 * 80),
+        ("inset(0 round 40px)", np.pi * 40**2),
+        ("polygon(0 0, 100% 0, 100% 100%)", 80 * 80 / 2),
+        ("polygon(evenodd, 0 0, 100% 0, 100% 100%)", 80 * 80 / 2),
+        ("path('M0 0H10V10H0z')", 100),
+        ("rect(10px 30px 50px 10px)", 20 * 40),
+        ("xywh(0 0 10px 20px)", 200),
+        ("circle(20px) view-box", np.pi * 400),
+        ("fill-box", 80 * 80),
+    ],
+)
+def test_clips_that_style_gives_as_shapes(shape: str, expected: float | None) -> None:
+    body = f'<rect x="10" y="10" width="80" height="80" style="clip-path:{shape}"/>'
+    drawing = read(body)
+    assert drawing.warnings == ()
+    if expected is not None:
+        assert area(drawing) == pytest.approx(expected, rel=2e-3)
+
+
+def test_a_clip_in_units_of_a_groups_box() -> None:
+    body = (
+        '<clipPath id="c" clipPathUnits="objectBoundingBox">'
+        '<rect width=".5" height="1"/></clipPath><g clip-path="url(#c)">'
+        '<rect x="10" y="20" width="40" height="60"/>'
+        '<rect x="50" y="20" width="40" height="60"/></g>'
+    )
+    assert area(read(body)) == pytest.approx(40 * 60)
 
 
 def test_a_nested_viewport_hides_what_is_outside() -> None:

@@ -1,7 +1,7 @@
-"""Clip paths and the edges of nested viewports, applied to shapes.
+"""Regions outside of which nothing is painted, and shapes cut by them.
 
-A shape that its clips do not touch keeps its curves; one that they hide is gone; one that they cut
-becomes what is left of it, its stroke a shape of its own.
+A shape that its clips do not touch keeps its curves; one that they hide is gone; of one that they
+cut its fill becomes what is left of it, and its stroke stays a stroke that is seen through them.
 """
 
 from __future__ import annotations
@@ -14,18 +14,22 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from shapetween.base.arrays import Points
 from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import Chords, chords_of, joined
 from shapetween.boolean.trace import traced
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Shape
+from shapetween.model.effects import Group, Mask
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Style
+from shapetween.model.paint import Colour, FillRule, Style
 from shapetween.svg.read.area import stroked_area
+from shapetween.svg.read.cssshape import css_shape
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import rings_of
-from shapetween.svg.read.frames import Clip, Frame, Placed
+from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.painting import fill_rule
+from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.transform import affine, compose
@@ -35,9 +39,9 @@ from shapetween.svg.read.xml import local_name
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-__all__ = ["Clipper"]
+__all__ = ["CLIP_WORK", "Clipper", "Region"]
 
-LOST_CROSSING = "a shape that crosses itself too often was not clipped, or did not clip"
+LOST_CROSSING = "a clip path that crosses itself too often was left out"
 
 #: Share of a shape's area that a clip must hide to count as cutting it: edges that coincide, as
 #: in drawings exported with their frame as a clip, differ by rounding.
@@ -49,19 +53,21 @@ CLIP_WORK = 100
 #: Clip paths that clip clip paths; more is taken for a circle.
 MOST_NESTED = 8
 
+WHITE = Colour(1.0, 1.0, 1.0)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Region:
+class Region:
     """What clips show, and the chords of all curves that bound it."""
 
     area: BaseGeometry
     edges: tuple[Chords, ...]
 
-    def within(self, other: _Region | None) -> _Region:
+    def within(self, other: Region | None) -> Region:
         """What both show."""
         if other is None:
             return self
-        return _Region(self.area.intersection(other.area), self.edges + other.edges)
+        return Region(self.area.intersection(other.area), self.edges + other.edges)
 
 
 class Clipper:
@@ -74,77 +80,105 @@ class Clipper:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._regions: dict[object, _Region | None] = {}
-        # By the ids of the regions, which the dictionary above keeps alive.
-        self._commons: dict[tuple[int, ...], _Region] = {}
+        self._regions: dict[object, Region | None] = {}
+        # By the ids of regions that stay alive: those above, and those of masks.
+        self._commons: dict[tuple[int, ...], tuple[Region, Sequence[Region]]] = {}
+        self._groups: dict[int, tuple[Group, Region]] = {}
 
-    def clipped(self, shape: Shape, clips: Sequence[Clip]) -> list[Shape]:
-        """What clips leave of a shape: itself, nothing, its parts.
+    def clipped(self, shape: Shape, regions: Sequence[Region]) -> list[Shape]:
+        """What regions leave of a shape: itself, nothing, its parts.
 
         Parameters
         ----------
         shape : Shape
             In the drawing's user units.
-        clips : sequence of Clip
+        regions : sequence of Region
         """
-        region = self._common(clips)
+        region = self.common(regions)
         if region is None:
             return [shape]
-        box = self._painted_box(shape)
+        box = painted_box(shape)
         if region.area.contains(box):
             return [shape]
         if not region.area.intersects(box):
             return []
-        stroke = shape.style.stroke
         chords = chords_of(shape.rings)
         self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
-        edges = joined([chords, *region.edges])
-        layers = []
-        if shape.style.fill is not None:
-            filled = replace(shape, style=replace(shape.style, stroke=None))
-            layers.append((filled_area(chords.polylines, shape.style.fill_rule), filled))
-        if stroke is not None:
-            closed = [ring.closed for ring in shape.rings]
-            drawn = replace(shape, style=replace(shape.style, fill=stroke.paint, stroke=None))
-            layers.append((stroked_area(chords.polylines, closed, stroke), drawn))
-        parts = []
-        whole = shown = 0.0
-        for area, part in layers:
-            if area is None:
-                self._document.losses.add(LOST_CROSSING)
+        fill = self._filled(shape, chords, region)
+        stroke = self._stroked(shape, chords, region)
+        if None not in (*fill, *stroke):
+            return [part for part in (*fill, *stroke) if part is not None]
+        if fill in ([], [None]) and stroke in ([], [None]):
+            painted = [shape.style.fill is not None, shape.style.stroke is not None]
+            if [bool(fill), bool(stroke)] == painted:
                 return [shape]
-            left = area.intersection(region.area)
-            whole += area.area
-            shown += left.area
-            if left.area > LEAST_CUT * area.area:
-                style = replace(part.style, fill_rule="evenodd")
-                rings = tuple(ring for polygon in traced(left, edges) for ring in polygon)
-                parts.append(replace(part, rings=rings, style=style))
-        if shown >= (1 - LEAST_CUT) * whole:
-            return [shape]
-        if stroke is not None and stroke.dashes:
-            self._document.losses.add("a dashed stroke was clipped as a solid one")
-        return [part for part in parts if part.rings]
+        # One is whole, the other is cut or hidden.
+        closed = tuple(ring.close() for ring in shape.rings)
+        parts = [
+            part
+            if part is not None
+            else replace(shape, rings=closed, style=replace(shape.style, stroke=None))
+            for part in fill
+        ]
+        line = replace(shape, style=replace(shape.style, fill=None))
+        return parts + [line if part is None else part for part in stroke]
+
+    def _filled(self, shape: Shape, chords: Chords, region: Region) -> list[Shape | None]:
+        """What is left of a shape's fill; None stands for all of it."""
+        style = replace(shape.style, stroke=None)
+        if style.fill is None:
+            return []
+        area = filled_area(chords.polylines, style.fill_rule)
+        if area is None:  # it crosses itself too often to be cut
+            closed = tuple(ring.close() for ring in shape.rings)
+            return [self.under(replace(shape, rings=closed, style=style), region)]
+        left = area.intersection(region.area)
+        if left.area <= LEAST_CUT * area.area:
+            return []
+        if left.area >= (1 - LEAST_CUT) * area.area:
+            return [None]
+        edges = joined([chords, *region.edges])
+        rings = tuple(ring for polygon in traced(left, edges) for ring in polygon)
+        cut = replace(shape, rings=rings, style=replace(style, fill_rule="evenodd"))
+        return [cut] if rings else []
+
+    def _stroked(self, shape: Shape, chords: Chords, region: Region) -> list[Shape | None]:
+        """What is left of a shape's stroke: all of it, under a clip where that cuts it."""
+        stroke = shape.style.stroke
+        if stroke is None:
+            return []
+        closed = [ring.closed for ring in shape.rings]
+        area = stroked_area(chords.polylines, closed, stroke)
+        if area is not None:
+            left = area.intersection(region.area).area
+            if left <= LEAST_CUT * area.area:
+                return []
+            if left >= (1 - LEAST_CUT) * area.area:
+                return [None]
+        return [self.under(replace(shape, style=replace(shape.style, fill=None)), region)]
+
+    def under(self, shape: Shape, region: Region) -> Shape:
+        """A shape as it is, seen through a region."""
+        if id(region) not in self._groups:
+            self._groups[id(region)] = Group(object(), masks=(self.mask(region),)), region
+        group, _ = self._groups[id(region)]
+        return replace(shape, style=replace(shape.style, groups=(*shape.style.groups, group)))
 
     @staticmethod
-    def _painted_box(shape: Shape) -> BaseGeometry:
-        """A box that holds all control points and the stroke around them."""
+    def mask(region: Region) -> Mask:
+        """A region as a mask; an empty one hides everything."""
+        rings = [
+            ring
+            for polygon in (traced(region.area, joined(region.edges)) if region.edges else ())
+            for ring in polygon
+        ]
+        shapes = (Shape(tuple(rings), Style(WHITE, fill_rule="evenodd")),) if rings else ()
+        return Mask(shapes, plain=True)
+
+    def common(self, regions: Sequence[Region]) -> Region | None:
+        """What all regions show; None if there are none."""
         import shapely
 
-        points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
-        stroke = shape.style.stroke
-        margin = 0.0
-        if stroke is not None:
-            corner = stroke.miter_limit if stroke.join == "miter" else 1.0
-            margin = stroke.width / 2 * max(corner, sqrt(2))  # as a square cap reaches
-        least, greatest = points.min(axis=0) - margin, points.max(axis=0) + margin
-        return shapely.box(*least, *greatest)
-
-    def _common(self, clips: Sequence[Clip], within: tuple[Element, ...] = ()) -> _Region | None:
-        """What all clips show; None if they hide nothing."""
-        import shapely
-
-        regions = [region for clip in clips if (region := self._region(clip, within)) is not None]
         if not regions:
             return None
         key = tuple(map(id, regions))
@@ -152,74 +186,116 @@ class Clipper:
             common = shapely.intersection_all([region.area for region in regions])
             shapely.prepare(common)
             edges = tuple(chords for region in regions for chords in region.edges)
-            self._commons[key] = _Region(common, edges)
-        return self._commons[key]
+            self._commons[key] = Region(common, edges), regions
+        return self._commons[key][0]
 
-    def _region(self, clip: Clip, within: tuple[Element, ...]) -> _Region | None:
-        import shapely
+    def of(self, layers: Sequence[Layer], within: tuple[Element, ...] = ()) -> list[Region]:
+        """The regions of those layers that have a clip."""
+        return [region for layer in layers if (region := self.region(layer, within)) is not None]
 
-        if clip.corners is not None:
-            corners = clip.corners.tobytes()
-            if corners not in self._regions:
-                ring = Outline(line_curves(clip.corners, np.roll(clip.corners, -1, axis=0)))
-                area = shapely.Polygon(clip.corners)
-                self._regions[corners] = _Region(area, (chords_of([ring]),))
-            return self._regions[corners]
-        assert clip.element is not None  # a clip has either
-        base = self._base(clip)
-        if base is None:
+    def region(self, layer: Layer, within: tuple[Element, ...] = ()) -> Region | None:
+        """What a layer's clip shows; None if it has none, or one that was left out."""
+        clip = layer.clip
+        if clip is None:
             return None
-        key = (clip.element, base.matrix.tobytes())
+        if isinstance(clip, str):
+            key: object = (clip, layer.element, layer.frame.matrix.tobytes())
+            if key not in self._regions:
+                self._regions[key] = self._given(clip, layer)
+            return self._regions[key]
+        if isinstance(clip, np.ndarray):
+            return self.inside(clip)
+        base = self._base(clip, layer)
+        key = (clip, base.matrix.tobytes())
         if key not in self._regions:
-            if clip.element in within or len(within) >= MOST_NESTED:
+            if clip in within or len(within) >= MOST_NESTED:
                 self._document.losses.add("a clip path that clips itself was left out")
                 return None
-            self._regions[key] = self._built(clip.element, base, (*within, clip.element))
+            self._regions[key] = self._built(clip, base, (*within, clip))
         return self._regions[key]
 
-    def _base(self, clip: Clip) -> Frame | None:
-        """The frame of a clip path's own coordinates; None if it cannot be known."""
-        frame = replace(clip.frame, properties={}, clips=(), uses=(), translucent=())
-        assert clip.element is not None
-        if clip.element.get("clipPathUnits", "").strip() != "objectBoundingBox":
+    def inside(self, corners: Points) -> Region | None:
+        """The region within four corners in the drawing's user units."""
+        import shapely
+
+        key = corners.tobytes()
+        if key not in self._regions:
+            area = shapely.Polygon(corners)
+            if not area.is_valid or area.area == 0:
+                self._regions[key] = Region(shapely.Polygon(), ())
+            else:
+                ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+                self._regions[key] = Region(area, (chords_of([ring]),))
+        return self._regions[key]
+
+    def _given(self, text: str, layer: Layer) -> Region | None:
+        """A clip that is a shape written in style."""
+        found = css_shape(self._document, text, layer)
+        if found is None:
+            self._document.losses.add("a clip path given as a CSS shape was left out", text[:40])
+            return None
+        subpaths, rule = found
+        tag = local_name(layer.element)
+        return self._area(Placed(layer.element, tag, layer.frame), subpaths, rule)
+
+    def _base(self, clip: Element, layer: Layer) -> Frame:
+        """The frame of a clip path's own coordinates."""
+        frame = replace(layer.frame, properties={}, layers=(), uses=())
+        if clip.get("clipPathUnits", "").strip() != "objectBoundingBox":
             return frame
-        box = object_box(self._document, clip.clipped, clip.frame) or Box(0.0, 0.0, 0.0, 0.0)
+        box = object_box(self._document, layer.element, layer.frame) or Box(0.0, 0.0, 0.0, 0.0)
         step = affine(box.width, 0, 0, box.height, box.x, box.y)
         viewport = replace(frame.viewport, width=1.0, height=1.0)
         return replace(frame, matrix=compose(frame.matrix, step), viewport=viewport)
 
-    def _built(self, element: Element, base: Frame, within: tuple[Element, ...]) -> _Region | None:
+    def _built(self, element: Element, base: Frame, within: tuple[Element, ...]) -> Region | None:
         import shapely
 
-        if any(local_name(child) == "text" for child in element):
-            self._document.losses.add("a clip path with text was left out")
-            return None
-        properties = self._document.cascade.properties(element, {})
+        properties = self._document.style(element)
         inner = entered(self._document, element, properties, base)
-        parts: list[_Region] = []
+        parts: list[Region] = []
         for child in element if inner is not None else ():
-            if inner is None or local_name(child) not in SHAPES.keys() | {"use"}:
+            if inner is None or local_name(child) not in SHAPES.keys() | {"use", "text"}:
                 continue
-            for placed in walk(self._document, child, replace(inner, clips=())):
+            for placed in walk(self._document, child, replace(inner, layers=())):
                 if placed.frame.properties.get("visibility", "visible") != "visible":
                     continue
-                rings = self._rings(placed)
-                if not rings:
-                    continue
-                chords = chords_of(rings)
-                self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
+                subpaths = subpaths_of(self._document, placed)
                 rule = fill_rule(placed.frame.properties, "clip-rule")
-                area = filled_area(chords.polylines, rule)
-                if area is None:
-                    self._document.losses.add(LOST_CROSSING)
+                part = self._area(placed, subpaths, rule)
+                if part is None:
                     return None
-                own = self._common(placed.frame.clips, within)
-                parts.append(_Region(area, (chords,)).within(own))
+                parts.append(part.within(self.common(self.of(placed.frame.layers, within))))
         area = shapely.union_all([shapely.Polygon(), *(part.area for part in parts)])
-        region = _Region(area, tuple(chords for part in parts for chords in part.edges))
-        return region.within(self._common(inner.clips if inner is not None else (), within))
+        region = Region(area, tuple(chords for part in parts for chords in part.edges))
+        own = self.of(inner.layers if inner is not None else (), within)
+        return region.within(self.common(own))
 
-    def _rings(self, placed: Placed) -> tuple[Outline, ...]:
-        """What one element of a clip path draws."""
-        subpaths = subpaths_of(self._document, placed)
-        return rings_of(self._document, placed, subpaths, Style())
+    def _area(self, placed: Placed, subpaths: Sequence[Subpath], rule: FillRule) -> Region | None:
+        """What subpaths enclose; None, with a warning, if that would take too long to tell."""
+        import shapely
+
+        rings = rings_of(self._document, placed, subpaths, Style())
+        if not rings:
+            return Region(shapely.Polygon(), ())
+        chords = chords_of(rings)
+        self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
+        area = filled_area(chords.polylines, rule)
+        if area is None:
+            self._document.losses.add(LOST_CROSSING)
+            return None
+        return Region(area, (chords,))
+
+
+def painted_box(shape: Shape) -> BaseGeometry:
+    """A box that holds all control points and the stroke around them."""
+    import shapely
+
+    points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
+    stroke = shape.style.stroke
+    margin = 0.0
+    if stroke is not None:
+        corner = stroke.miter_limit if stroke.join == "miter" else 1.0
+        margin = stroke.width / 2 * max(corner, sqrt(2))  # as a square cap reaches
+    least, greatest = points.min(axis=0) - margin, points.max(axis=0) + margin
+    return shapely.box(*least, *greatest)

@@ -10,7 +10,7 @@ from shapetween.model.paint import Stop
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.pathdata import PathData
 from shapetween.svg.read.queries import Medium
-from shapetween.svg.read.style import ANIMATED, Cascade
+from shapetween.svg.read.style import ANIMATED, Cascade, Properties
 from shapetween.svg.read.units import Viewport
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
@@ -129,6 +129,7 @@ class Document:
         self.boxes: dict[tuple[Element, Viewport], Box | None] = {}
         self.shown = Box(0.0, 0.0, 0.0, 0.0)
         self._parents: dict[Element, Element] | None = None
+        self._styles: dict[Element, Properties] = {}
 
     def tell(self, what: str) -> None:
         """Note something about the document as a whole, once."""
@@ -151,13 +152,28 @@ class Document:
         address = href(element)
         return self.ids.get(address[1:]) if address.startswith("#") else None
 
-    def is_within(self, element: Element, container: Element) -> bool:
-        """Whether an element is another, or lies within it."""
+    def style(self, element: Element) -> Properties:
+        """The properties of an element where it stands, with all that it inherits there."""
+        chain: list[Element] = []
+        at: Element | None = element
+        while at is not None and at not in self._styles:
+            chain.append(at)
+            at = self._parent(at)
+        found: Properties = self._styles[at] if at is not None else {}
+        for each in reversed(chain):
+            found = self._styles[each] = self.cascade.properties(each, found)
+        return found
+
+    def _parent(self, element: Element) -> Element | None:
         if self._parents is None:
             self._parents = {child: parent for parent in self.root.iter() for child in parent}
+        return self._parents.get(element)
+
+    def is_within(self, element: Element, container: Element) -> bool:
+        """Whether an element is another, or lies within it."""
         at: Element | None = element
         while at is not None and at is not container:
-            at = self._parents.get(at)
+            at = self._parent(at)
         return at is not None
 
 

@@ -60,7 +60,7 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     layers = [style]
     if style.fill is not None and style.stroke is not None and _stroke_first(placed):
         layers = [replace(style, fill=None), replace(style, stroke=None)]
-    elif style.fill is not None and style.stroke is not None and style.opacity == 1:
+    elif style.fill is not None and style.stroke is not None and placed.frame.opacity == 1:
         closed = [ring for ring in rings_of(document, placed, subpaths, style) if ring.closed]
         lines = chords_of(closed).polylines if closed else ()
         if hidden_share(lines, style.fill_rule) > HIDDEN:

@@ -1,5 +1,7 @@
 """What holds for everything inside an element, and an element with all that holds for it."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
@@ -8,29 +10,51 @@ from shapetween.svg.read.document import label
 from shapetween.svg.read.style import Properties
 from shapetween.svg.read.units import Viewport
 
-__all__ = ["Clip", "Frame", "Placed"]
+__all__ = ["Frame", "Layer", "Placed"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Clip:
-    """A region outside which nothing is painted.
+class Layer:
+    """What is done to all that an element draws, after it is drawn.
 
     Attributes
     ----------
+    element : Element
     frame : Frame
-        Of the element that is clipped, with all its transforms.
-    element : Element or None
-        The ``clipPath``, or None where `corners` are given.
-    clipped : Element
-        The element that is clipped.
-    corners : (4, 2) float64 or None
-        The edge of a nested viewport, in the drawing's user units.
+        Of the element, with its own transform.
+    opacity : float
+    blend : str
+        A ``mix-blend-mode``.
+    isolated : bool
+    filters : str
+        The ``filter`` property, "none" for nothing.
+    mask : Element or None
+        The ``mask`` that it names.
+    clip : Element, str, (4, 2) float64 or None
+        The ``clipPath`` that it names, a shape as style writes it, or the corners of a nested
+        viewport in the drawing's user units.
     """
 
-    frame: "Frame"
-    clipped: Element
-    element: Element | None = None
-    corners: Points | None = None
+    element: Element
+    frame: Frame
+    opacity: float = 1.0
+    blend: str = "normal"
+    isolated: bool = False
+    filters: str = "none"
+    mask: Element | None = None
+    clip: Element | str | Points | None = None
+
+    @property
+    def says_something(self) -> bool:
+        """Whether anything is done at all."""
+        return (
+            self.opacity < 1
+            or self.blend != "normal"
+            or self.isolated
+            or self.filters != "none"
+            or self.mask is not None
+            or self.clip is not None
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,11 +70,8 @@ class Frame:
     viewport : Viewport
     pixel : float
         Size of a CSS pixel in the drawing's user units, for strokes that do not scale.
-    opacity : float
-        Product of all group opacities outside.
-    translucent : tuple of Element
-        The groups that had one.
-    clips : tuple of Clip
+    layers : tuple of Layer
+        The outermost first.
     uses : tuple of Element
         What the ``use`` elements outside draw.
     name : str
@@ -61,11 +82,17 @@ class Frame:
     properties: Properties
     viewport: Viewport
     pixel: float = 1.0
-    opacity: float = 1.0
-    translucent: tuple[Element, ...] = ()
-    clips: tuple[Clip, ...] = ()
+    layers: tuple[Layer, ...] = ()
     uses: tuple[Element, ...] = ()
     name: str = ""
+
+    @property
+    def opacity(self) -> float:
+        """Product of all opacities."""
+        product = 1.0
+        for layer in self.layers:
+            product *= layer.opacity
+        return product
 
 
 @dataclass(frozen=True, slots=True, eq=False)

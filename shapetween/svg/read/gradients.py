@@ -79,7 +79,7 @@ def gradient(
     values: dict[str, str] = {}
     for link in reversed(chain):
         values.update(link.items())
-    style = document.cascade.properties(element, {})
+    style = document.style(element)
 
     in_box = values.get("gradientUnits", "objectBoundingBox").strip() != "userSpaceOnUse"
     if in_box:
@@ -146,11 +146,10 @@ def _own_stops(document: Document, element: Element, alpha: float) -> tuple[Stop
     elements = [child for child in element if local_name(child) == "stop"]
     if len(elements) > MOST_STOPS:
         document.losses.add("a gradient of too many stops was cut short")
-    inherited = document.cascade.properties(element, {})
     stops = []
     reached = 0.0
     for stop in elements[:MOST_STOPS]:
-        properties = document.cascade.properties(stop, inherited)
+        properties = document.style(stop)
         offset = number(stop.get("offset"))
         reached = max(reached, min(1.0, max(0.0, offset or 0.0)))
         opacity = number(properties.get("stop-opacity"))

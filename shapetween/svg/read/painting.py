@@ -51,7 +51,7 @@ def style_of(
     return Style(
         fill=_paint(document, "fill", "black", frame, subpaths),
         stroke=_stroke(document, frame, subpaths, path_length),
-        opacity=frame.opacity,
+        crisp=properties.get("shape-rendering", "auto") in ("crispedges", "optimizespeed"),
         fill_rule=fill_rule(properties, "fill-rule"),
         texture=_fill_texture(document, frame, subpaths),
     )
@@ -62,7 +62,7 @@ def picture_style(document: Document, placed: Placed, subpaths: Sequence[Subpath
     texture = picture_texture(document, placed, bounds(subpaths))
     if texture is None:
         return None
-    return Style(fill=STAND_IN, opacity=placed.frame.opacity, texture=texture)
+    return Style(fill=STAND_IN, texture=texture)
 
 
 def _fill_texture(document: Document, frame: Frame, subpaths: Sequence[Subpath]) -> Texture | None:

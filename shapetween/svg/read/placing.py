@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.model.drawing import Box
 from shapetween.svg.read.document import Document, href
-from shapetween.svg.read.frames import Clip, Frame
+from shapetween.svg.read.frames import Frame, Layer
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.style import Properties
 from shapetween.svg.read.transform import affine, apply, compose
@@ -107,11 +107,11 @@ def viewport_opened(
     )
     if into.width <= 0 or into.height <= 0:
         return None
-    clips = frame.clips
+    layers = frame.layers
     if frame.properties.get("overflow", "hidden") not in ("visible", "auto"):
         right, bottom = into.x + into.width, into.y + into.height
         local = np.array([[into.x, into.y], [right, into.y], [right, bottom], [into.x, bottom]])
-        clips = (*clips, Clip(frame, element, corners=apply(frame.matrix, local)))
+        layers = (*layers, Layer(element, frame, clip=apply(frame.matrix, local)))
     box = parse_view_box(element.get("viewBox"))
     if box is None:
         step = affine(1, 0, 0, 1, into.x, into.y)
@@ -122,5 +122,5 @@ def viewport_opened(
         frame,
         matrix=compose(frame.matrix, step),
         viewport=replace(viewport, width=box.width, height=box.height),
-        clips=clips,
+        layers=layers,
     )

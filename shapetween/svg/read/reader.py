@@ -5,19 +5,16 @@ each element's curves and paint (`figure`). Nothing here opens a file or the net
 be carried is named in the drawing's warnings.
 """
 
-from collections import defaultdict
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
 from shapetween.base.errors import BudgetError, InputError
 from shapetween.model.drawing import Box, Drawing, Shape
-from shapetween.svg.read.clip import Clipper
 from shapetween.svg.read.document import Document, Pictures, title_of
-from shapetween.svg.read.figure import shapes_of
 from shapetween.svg.read.frames import Frame
 from shapetween.svg.read.limits import Limits
+from shapetween.svg.read.painter import Painter, shape_box
 from shapetween.svg.read.transform import affine
 from shapetween.svg.read.units import Viewport, common_unit
 from shapetween.svg.read.viewbox import parse_view_box
@@ -27,10 +24,6 @@ __all__ = ["read_svg"]
 
 #: What percentages are of in a document without any size: the size browsers give such an object.
 DEFAULT_SIZE = (300.0, 150.0)
-
-#: Shapes in a translucent group up to which overlaps are looked for; in larger groups some
-#: overlap is taken for granted.
-MOST_COMPARED = 500
 
 
 def read_svg(
@@ -89,20 +82,7 @@ def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> 
     if seen and not view_box:
         seen = Box(0.0, 0.0, seen.width / unit, seen.height / unit)
 
-    shapes: list[Shape] = []
-    clipper = Clipper(document)
-    veiled: dict[Element, list[Floats]] = defaultdict(list)
-    for placed in walk(document, root, frame):
-        for whole in shapes_of(document, placed):
-            clips = placed.frame.clips
-            parts = clipper.clipped(whole, clips) if clips else [whole]
-            shapes += parts
-            for shape in parts if placed.frame.translucent else ():
-                box = _shape_box(shape)
-                for group in placed.frame.translucent:
-                    veiled[group].append(box)
-    if any(_overlapping(boxes) for boxes in veiled.values()):
-        document.losses.add("a group's opacity was given to each shape: overlaps will show")
+    shapes = Painter(document).painted(walk(document, root, frame))
     losses = document.losses.lines()
     if not shapes:
         nothing = "holds nothing that can be drawn; expected shapes with a fill or a stroke"
@@ -117,22 +97,7 @@ def _page(root: Element) -> Box | None:
     return Box(0.0, 0.0, width, height) if width > 0 and height > 0 else None
 
 
-def _shape_box(shape: Shape) -> Floats:
-    """Least and greatest corner of what a shape paints, (2, 2)."""
-    boxes = np.stack([ring.box for ring in shape.rings])
-    margin = shape.style.stroke.width / 2 if shape.style.stroke else 0.0
-    return np.stack([boxes[:, 0].min(axis=0) - margin, boxes[:, 1].max(axis=0) + margin])
-
-
 def _drawn_box(shapes: list[Shape]) -> Box:
-    boxes = np.stack([_shape_box(shape) for shape in shapes])
+    boxes = np.stack([shape_box(shape) for shape in shapes])
     least, greatest = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
     return Box(*least.tolist(), *(greatest - least).tolist())
-
-
-def _overlapping(boxes: list[Floats]) -> bool:
-    if len(boxes) > MOST_COMPARED:
-        return True
-    least, greatest = np.moveaxis(np.stack(boxes), 1, 0)
-    meet = (least[:, None] < greatest[None]).all(axis=-1)
-    return bool((meet & meet.T).sum() > len(boxes))

@@ -14,7 +14,7 @@ from shapetween.model.drawing import Box
 from shapetween.svg.read.colours import parse_paint
 from shapetween.svg.read.csstransform import TRANSFORMS, css_transform
 from shapetween.svg.read.document import Document, label
-from shapetween.svg.read.frames import Clip, Frame, Placed
+from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.placing import (
     GROUPS,
     LOST_ELEMENTS,
@@ -40,13 +40,6 @@ from shapetween.svg.read.units import number
 from shapetween.svg.read.xml import local_name
 
 __all__ = ["entered", "object_box", "walk"]
-
-#: What is not applied, by property.
-LOST_PROPERTIES = {
-    "mask": "a mask was left out: what it hides is shown",
-    "filter": "a filter effect was left out",
-}
-LOST_MARKERS = "markers on a line were left out"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -151,7 +144,7 @@ def object_box(document: Document, element: Element, frame: Frame) -> Box | None
     if key not in document.boxes:
         document.boxes[key] = None  # what draws itself has none
         tag = local_name(element)
-        local = replace(frame, matrix=IDENTITY, clips=(), translucent=(), opacity=1.0)
+        local = replace(frame, matrix=IDENTITY, layers=())
         if tag in SHAPES or tag == "image":
             document.boxes[key] = _drawn_box(document, Placed(element, tag, local))
         else:
@@ -202,36 +195,39 @@ def entered(
     opacity = 1.0 if opacity is None else min(1.0, max(0.0, opacity))
     if opacity == 0:
         return None
-    for name, text in LOST_PROPERTIES.items():
-        if properties.get(name, "none") != "none":
-            document.losses.add(text)
-    if properties.get("mix-blend-mode", "normal") != "normal":
-        document.losses.add("a blend mode was left out")
-    frame = replace(
-        outer,
-        matrix=matrix,
-        properties=properties,
-        viewport=viewport,
-        opacity=outer.opacity * opacity,
-        translucent=(*outer.translucent, element) if opacity < 1 else outer.translucent,
+    frame = replace(outer, matrix=matrix, properties=properties, viewport=viewport)
+    layer = Layer(
+        element,
+        frame,
+        opacity,
+        properties.get("mix-blend-mode", "normal"),
+        properties.get("isolation", "auto") == "isolate",
+        properties.get("filter", "none"),
+        _named(document, properties.get("mask", "none"), "mask"),
+        _clip(document, properties.get("clip-path", "none")),
     )
-    clip = _clip_of(document, element, frame)
-    return frame if clip is None else replace(frame, clips=(*frame.clips, clip))
+    return replace(frame, layers=(*frame.layers, layer)) if layer.says_something else frame
 
 
-def _clip_of(document: Document, element: Element, frame: Frame) -> Clip | None:
-    """The clip path that an element names."""
-    text = frame.properties.get("clip-path", "none")
-    if text == "none":
+def _clip(document: Document, text: str) -> Element | str | None:
+    """The clip path that an element names, or the shape that it gives."""
+    if text.lower() == "none":
+        return None
+    if parse_paint(text) is None:
+        return text
+    return _named(document, text, "clipPath")
+
+
+def _named(document: Document, text: str, tag: str) -> Element | None:
+    """The element of a kind that a property names; None if there is none, as if it said nothing."""
+    if text.lower() == "none":
         return None
     value = parse_paint(text)
     if value is None:
-        document.losses.add("a clip path given as a CSS shape was left out")
+        document.losses.add(f"a {tag} made by style was left out")
         return None
     target = document.ids.get(value.reference)
-    if target is None or local_name(target) != "clipPath":
-        return None  # as if there were none
-    return Clip(frame, element, element=target)
+    return target if target is not None and local_name(target) == tag else None
 
 
 def _transform(

@@ -108,10 +108,37 @@ class GradientDefs:
         The document's ``<defs>``.
     decimals : int
         For their coordinates.
+    box : Box
+        What the document shows.
+    classes : dict
+        Names of classes by their style.
     """
 
     decimals: int
     element: ET.Element = field(default_factory=lambda: ET.Element("defs"))
+    box: Box = field(default_factory=lambda: Box(0.0, 0.0, 1.0, 1.0))
+    classes: dict[str, str] = field(default_factory=dict)
+
+    def reserve(self, tag: str, attributes: Mapping[str, str]) -> tuple[ET.Element, str]:
+        """An empty definition, and what attributes say to use it."""
+        name = f"{_PREFIX}-{len(self.element)}"
+        return ET.SubElement(self.element, tag, {"id": name, **attributes}), f"url(#{name})"
+
+    def around(self) -> dict[str, str]:
+        """A rectangle around all that is shown, and as much on every side."""
+        box = self.box
+        sides = (box.x - box.width, box.y - box.height, 3 * box.width, 3 * box.height)
+        values = (number(value, self.decimals) for value in sides)
+        return dict(zip(("x", "y", "width", "height"), values, strict=True))
+
+    def style_class(self, style: str) -> str:
+        """The name of a class with that style; `style_sheet` has them all."""
+        return self.classes.setdefault(style, f"{_PREFIX}-s{len(self.classes)}")
+
+    @property
+    def style_sheet(self) -> str:
+        """Rules of all classes that were asked for."""
+        return "".join(f".{name}{{{style}}}" for style, name in self.classes.items())
 
     def add(self, gradient: Gradient) -> tuple[ET.Element, str]:
         """Write a gradient; its element, and what ``fill`` or ``stroke`` says to use it."""
@@ -179,6 +206,8 @@ def style_attributes(style: Style, decimals: int) -> dict[str, str]:
     if style.fill_rule != "nonzero":
         attributes["fill-rule"] = style.fill_rule
     attributes |= _unless_one("opacity", style.opacity)
+    if style.crisp:
+        attributes["shape-rendering"] = "crispEdges"
     stroke = style.stroke
     if stroke is None:
         return attributes

@@ -5,7 +5,8 @@ program that reads path data can use the frames.
 """
 
 from shapetween.model.drawing import Drawing
-from shapetween.svg.write.elements import GradientDefs, add_shape, document, named, text_of
+from shapetween.svg.write.elements import GradientDefs, document, named, text_of
+from shapetween.svg.write.groups import add_shapes
 from shapetween.svg.write.numbers import decimals_of
 
 __all__ = ["frame_svg"]
@@ -31,13 +32,10 @@ def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
     OptionError
         If coordinates cannot be written with that precision.
     """
-    gradients = GradientDefs(decimals_of(drawing, precision))
+    gradients = GradientDefs(decimals_of(drawing, precision), box=drawing.box)
     root = document(drawing.box, drawing.title)
     root.append(gradients.element)
-    for shape, name in zip(
-        drawing.shapes, named([shape.name for shape in drawing.shapes]), strict=True
-    ):
-        add_shape(root, shape, gradients, name)
+    add_shapes(root, drawing.shapes, gradients, named([shape.name for shape in drawing.shapes]))
     if not len(gradients.element):
         root.remove(gradients.element)
     return text_of(root)

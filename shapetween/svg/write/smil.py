@@ -7,6 +7,7 @@ first frame too, as a twin of the drawing that stands still.
 
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -15,8 +16,10 @@ from shapetween.model.drawing import Shape
 from shapetween.model.movement import Movement, Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate import Clock, animate, animate_shown
+from shapetween.svg.write.animate_groups import add_parts
 from shapetween.svg.write.animate_style import animate_style
-from shapetween.svg.write.elements import GradientDefs, add_shape, document, named, text_of
+from shapetween.svg.write.elements import GradientDefs, document, named, text_of
+from shapetween.svg.write.groups import add_shapes
 from shapetween.svg.write.numbers import decimals_of, path_data
 from shapetween.timing import defaults
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
@@ -94,23 +97,33 @@ def smil_svg(
     tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
     ends = [drawing for leg in legs for drawing in leg.at(np.array([0.0, 1.0]))]
     decimals = max(decimals_of(drawing, precision) for drawing in ends)
-    gradients = GradientDefs(decimals)
+    gradients = GradientDefs(decimals, box=first.box)
 
     root = document(first.box, first.title)
-    ET.SubElement(root, "style").text = REDUCED_MOTION
+    sheet = ET.SubElement(root, "style")
     root.append(gradients.element)
     moving = ET.SubElement(root, "g", {"class": "shapetween-moving"})
     still = ET.SubElement(root, "g", {"class": "shapetween-still", "display": "none"})
     ids = iter(named([part.name for leg in legs for part in leg.parts]))
-    at_rest = iter(ends[0].shapes)
     for k, leg in enumerate(legs):
         own = replace(clock, leg=k)
         group = moving if len(legs) == 1 else _add_leg(moving, own)
-        for part in leg.parts:
-            add_part(group, part, own, gradients, next(ids), tolerance)
-            if k == 0:
-                shape = next(at_rest)
-                add_shape(still, Shape(shape.rings, shape.style), gradients, {})
+        names = [next(ids) for _ in leg.parts]
+        slower = _slower(own)
+        add_parts(
+            group,
+            leg.parts,
+            names,
+            (ends[2 * k].shapes, ends[2 * k + 1].shapes),
+            slower,
+            np.clip(slower.schedule.time, *INSIDE),
+            gradients,
+            tolerance,
+            partial(_add_named, clock=own, gradients=gradients, tolerance=tolerance),
+        )
+    at_rest = [Shape(shape.rings, shape.style) for shape in ends[0].shapes]
+    add_shapes(still, at_rest, gradients)
+    sheet.text = REDUCED_MOTION + gradients.style_sheet
     if not len(gradients.element):
         root.remove(gradients.element)
     return text_of(root)
@@ -125,6 +138,24 @@ def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
     group = ET.SubElement(parent, "g", {"display": "none"} if clock.leg > 0 else {})
     animate_shown(group, clock)
     return group
+
+
+def _add_named(
+    parent: ET.Element,
+    part: Part,
+    name: dict[str, str],
+    *,
+    clock: Clock,
+    gradients: GradientDefs,
+    tolerance: float,
+) -> None:
+    add_part(parent, part, clock, gradients, name, tolerance)
+
+
+def _slower(clock: Clock) -> Clock:
+    """The clock of paint."""
+    thinned = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
+    return replace(clock, schedule=thinned)
 
 
 def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
@@ -154,11 +185,11 @@ def add_part(
         tolerance *= LOOSER
         picks = shape_clock.pick(stack.reshape(len(stack), -1, 2), tolerance)
     values = path_data(stack[picks], part.rings, part.closed, gradients.decimals)
-    slower = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
-    styles = [part.style(t) for t in np.clip(slower.time, *INSIDE).tolist()]
+    slower = _slower(clock)
+    styles = [part.style(t) for t in np.clip(slower.schedule.time, *INSIDE).tolist()]
     for track in style_tracks(styles):
         path = ET.SubElement(parent, "path", name if track.start == 0 else {})
-        animate_style(path, track, replace(clock, schedule=slower), gradients, tolerance)
+        animate_style(path, track, slower, gradients, tolerance)
         path.set("d", values[0])
         animate(path, "d", shape_clock, picks, values)
 

@@ -287,11 +287,13 @@ def test_opacities_multiply() -> None:
     assert shape.style.opacity == 0.25
 
 
-def test_overlaps_under_a_group_opacity_are_a_warning() -> None:
+def test_a_group_opacity_is_given_to_its_shapes_unless_they_overlap() -> None:
     apart = read(f'<g opacity=".5">{square()}{square(x=50)}</g>')
-    assert apart.warnings == ()
-    overlapping = read(f'<g opacity=".5">{square()}{square(x=5)}</g>')
-    assert any("opacity" in warning for warning in overlapping.warnings)
+    assert [(shape.style.opacity, shape.style.groups) for shape in apart.shapes] == [(0.5, ())] * 2
+    one, two = read(f'<g opacity=".5">{square()}{square(x=5)}</g>').shapes
+    assert one.style.opacity == two.style.opacity == 1
+    assert one.style.groups == two.style.groups
+    assert one.style.groups[0].opacity == 0.5
 
 
 def test_strokes_scale_and_stay_open() -> None:
@@ -365,8 +367,13 @@ def test_names_and_title() -> None:
     [
         ("<text>Hello</text>", "text"),
         ('<image href="a.png"/>', "image"),
-        ('<mask id="m"/><g mask="url(#m)"/>', "mask"),
-        ('<g filter="url(#f)"/>', "filter"),
+        ('<rect width="5" height="5" style="mask:linear-gradient(red,blue)"/>', "mask"),
+        ('<rect width="5" height="5" style="filter:nonsense(3)"/>', "filter"),
+        (
+            '<mask id="m"><g mask="url(#m)">' + square() + "</g></mask>"
+            '<rect width="5" height="5" mask="url(#m)"/>',
+            "mask",
+        ),
         ('<pattern id="p"/>' + square("url(#p)"), "pattern"),
         ('<path d="M0 0h5v5" marker-end="url(#m)"/>', "marker"),
         ('<use href="#none"/>', "use"),
@@ -379,8 +386,7 @@ def test_names_and_title() -> None:
         ("<style>@import 'a.css';</style>", "import"),
         ("<style>a:::b{fill:red}</style>", "selectors"),
         ('<circle r="5" stroke="red" transform="scale(1 9)"/>', "stroke"),
-        ('<g style="clip-path:circle(5px)"/>', "clip"),
-        ('<g style="mix-blend-mode:multiply"/>', "blend"),
+        ('<rect width="5" height="5" style="clip-path:circus(5px)"/>', "clip"),
     ],
 )
 def test_what_is_lost_is_named_once(body: str, word: str) -> None:
