@@ -2,10 +2,13 @@
 
 import io
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image
 
+from shapetween.raster.resvg import drawn
 from tests.browser import SIZE, Browser, Picture
 
 #: A page of boxes side by side, one for each moment.
@@ -48,3 +51,57 @@ def module_pictures(
     boxes(browser, len(seconds))
     browser.page.evaluate(PLAY, [text, list(seconds), options or {}])
     return screenshots(browser, len(seconds))
+
+
+def lottie_pictures(
+    browser: Browser, library: Path, text: str, frames: Sequence[float]
+) -> list[Picture]:
+    """What lottie-web, in a folder of packages, shows of an animation at frames."""
+    boxes(browser, len(frames))
+    browser.page.add_script_tag(path=str(library / "lottie-web" / "build" / "player" / "lottie.js"))
+    browser.page.evaluate(LOTTIE, [text, list(frames)])
+    return screenshots(browser, len(frames))
+
+
+#: Loads an animation into every box, stopped at its frame.
+LOTTIE = """([text, frames]) => document.querySelectorAll(".box").forEach((box, k) => {
+    const options = { container: box, renderer: "svg", loop: false, autoplay: false };
+    const animation = lottie.loadAnimation({ ...options, animationData: JSON.parse(text) });
+    animation.addEventListener("error", event => { throw event.nativeError ?? event; });
+    animation.goToAndStop(frames[k], true);
+})"""
+
+
+def thorvg_pictures(data: bytes, frames: Sequence[float]) -> list[Picture]:
+    """What ThorVG shows of an animation at frames, on white."""
+    tvg = pytest.importorskip("thorvg_python", reason="ThorVG is not installed")
+    shots = []
+    for frame in frames:
+        engine = tvg.Engine()
+        canvas = tvg.SwCanvas(engine)
+        canvas.set_target(SIZE, SIZE, cs=tvg.Colorspace.ABGR8888S)
+        animation = tvg.LottieAnimation(engine)
+        picture = animation.get_picture()
+        assert picture.load_data(data, "lottie", None, True) == tvg.Result.SUCCESS
+        picture.set_size(SIZE, SIZE)
+        canvas.add(picture)
+        done, last = animation.get_total_frame()
+        assert done == tvg.Result.SUCCESS
+        animation.set_frame(min(frame, last))
+        canvas.update()
+        canvas.draw(True)
+        canvas.sync()
+        drawn = canvas.get_pillow()
+        white = Image.new("RGBA", drawn.size, "white")
+        shots.append(np.asarray(Image.alpha_composite(white, drawn).convert("RGB"), np.int16))
+    return shots
+
+
+def resvg_pictures(frames: Sequence[str]) -> list[Picture]:
+    """What resvg shows of frames, on white."""
+    shots = []
+    for frame in frames:
+        picture = Image.fromarray(drawn(frame, SIZE, SIZE), "RGBA")
+        white = Image.new("RGBA", picture.size, "white")
+        shots.append(np.asarray(Image.alpha_composite(white, picture).convert("RGB"), np.int16))
+    return shots

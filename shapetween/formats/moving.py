@@ -85,6 +85,10 @@ class Moving(ABC):
         """
         return self._text(".svg", options)
 
+    def lottie(self, **options: Any) -> str:
+        """All of it as the text of a Lottie animation; `options` as for `write`."""
+        return self._text(".json", options)
+
     def module(self, **options: Any) -> str:
         """All of it as the text of a JavaScript module; `options` as for `write`."""
         return self._text(".mjs", options)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Index, Mask
+from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.model.movement import Part
 
 __all__ = ["STRAIGHT", "Sampled", "enough_times", "sampled"]
@@ -66,10 +66,20 @@ class Sampled:
             first += count
         return np.array(order, np.intp)
 
-    @property
-    def starts(self) -> list[int]:
-        """The first curve of each ring."""
-        return np.cumsum([0, *self.rings[:-1]]).tolist() if self.rings else []
+    def spread(self, values: Points) -> Curves:
+        """Curves (M, N, 4, 2) of the drawn control points (M, P, 2); lines have none between."""
+        place = {point: k for k, point in enumerate(self.points.tolist())}
+        where: list[int] = []
+        first = 0
+        for count in self.rings:
+            at = place[4 * first]
+            for curve in range(first, first + count):
+                end = place.get(4 * curve + 3, place[4 * first])
+                inner = (at, end) if self.straight[curve] else (place[4 * curve + 1], at + 2)
+                where += [at, *inner, end]
+                at = end
+            first += count
+        return values[:, where].reshape(len(values), -1, 4, 2)
 
 
 def sampled(part: Part, times: Floats, size: float) -> Sampled:

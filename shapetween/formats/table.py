@@ -152,6 +152,10 @@ def _writers() -> Iterator[Writer]:
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
     home = "shapetween.formats.module.writer:module"
+    keyed = (*_TIMING, "keyframes", "precision")
+    lottie = "shapetween.formats.lottie.writer"
+    yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed)
+    yield Writer(".lottie", "a packed Lottie animation", f"{lottie}:dot_lottie", keyed)
     yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
 
 

@@ -43,15 +43,24 @@ class StyleTrack:
     end: int
 
 
-def style_tracks(styles: Sequence[Style]) -> list[StyleTrack]:
-    """Cut styles through time into tracks, most often one."""
+def style_tracks(styles: Sequence[Style], *, by_words: bool = False) -> list[StyleTrack]:
+    """Cut styles through time into tracks, most often one.
+
+    Parameters
+    ----------
+    styles : sequence of Style
+        One for each sample.
+    by_words : bool
+        Whether to cut also where a fill rule, a line's cap or its join changes, for players that
+        cannot change those.
+    """
     fills = _of_one_sort([style.fill for style in styles])
     strokes = _strokes([style.stroke for style in styles])
     whole = [
         replace(style, fill=fill, stroke=stroke)
         for style, fill, stroke in zip(styles, fills, strokes, strict=True)
     ]
-    sorts = [_sort(style) for style in whole]
+    sorts = [(_sort(style), _words(style) if by_words else None) for style in whole]
     cuts = [k for k in range(1, len(sorts)) if sorts[k] != sorts[k - 1]]
     return [
         StyleTrack(
@@ -71,6 +80,13 @@ def _sort(style: Style) -> tuple[object, ...]:
     paints = [style.fill] if stroke is None else [style.fill, stroke.paint]
     shades = [(p.kind, len(p.stops)) if isinstance(p, Gradient) else None for p in paints]
     return (*shades, None if stroke is None else len(stroke.dashes))
+
+
+def _words(style: Style) -> tuple[object, ...]:
+    """What has nothing between its values."""
+    stroke = style.stroke
+    fill_rule = None if style.fill is None else style.fill_rule
+    return fill_rule, *((stroke.cap, stroke.join) if stroke is not None else ())
 
 
 def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:

@@ -1,0 +1,68 @@
+"""A part as keyframes, for formats whose players know nothing but straight ways between two."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Floats
+from shapetween.formats.options import WriteOptions
+from shapetween.formats.sampled import Sampled, enough_times, sampled
+from shapetween.model.movement import Part
+from shapetween.timing.easing import Easing, even_times
+from shapetween.timing.fitted import fitted_keyframes
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
+
+__all__ = ["Keyed", "keyed"]
+
+#: Curves of all keyframes of a part, before keyframes become fewer by ever looser tolerances; but
+#: so many there are. More and players stall on the file.
+MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Keyed:
+    """Keyframes of one part.
+
+    Attributes
+    ----------
+    shape : Sampled
+        What it has in common at all times.
+    clock : (M,) float64
+        When each keyframe is, from 0 to 1; one alone if the part stands still.
+    curves : (M, N, 4, 2) float64
+        Control points, those of lines on their ends; first and last exactly the movement's.
+    """
+
+    shape: Sampled
+    clock: Floats
+    curves: Curves
+
+
+def keyed(part: Part, options: WriteOptions, size: float, easing: Easing = np.asarray) -> Keyed:
+    """Choose keyframes along a clock.
+
+    Parameters
+    ----------
+    part : Part
+    options : WriteOptions
+        Of which `keyframes` is heeded.
+    size : float
+        The view box's larger side.
+    easing : Easing
+        From the clock to the movement's time.
+    """
+    clock = (
+        enough_times(part) if options.keyframes == "auto" else even_times(int(options.keyframes))
+    )
+    shape = sampled(part, easing(clock), size)
+    points = shape.stack.reshape(len(clock), -1, 2)[:, shape.points]
+    if shape.still:
+        return Keyed(shape, clock[:1], shape.spread(points[:1]))
+    if options.keyframes != "auto":
+        return Keyed(shape, clock, shape.spread(points))
+    tolerance = KEYFRAME_TOLERANCE * size
+    knots, values = fitted_keyframes(points, clock, tolerance)
+    while len(knots) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(sum(part.rings), 1)):
+        tolerance *= LOOSER
+        knots, values = fitted_keyframes(points, clock, tolerance)
+    return Keyed(shape, knots, shape.spread(values))

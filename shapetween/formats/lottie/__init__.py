@@ -1,0 +1,4 @@
+"""Movements as Lottie: JSON, or a .lottie file around it.
+
+.. [Lottie] Lottie Animation Community, *Lottie specification*, version 1.0.
+"""
