@@ -4,13 +4,23 @@ Every move goes forward in both directions, so one row of the table is filled at
 starts and columns.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.moves import MOVES, REACH, move_prices, steps_over, tilt
 
-__all__ = ["Paths", "cyclic_paths", "open_path"]
+__all__ = [
+    "OpenPath",
+    "Paths",
+    "cyclic_paths",
+    "cyclic_prices",
+    "open_path",
+    "priced_path",
+    "rolled_paths",
+]
 
 
 class Paths:
@@ -107,14 +117,41 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
 
     Parameters
     ----------
+    cost, reward, fixed
+        As for `cyclic_prices`.
+    starts : (S,) intp
+        Stations of the second ring that station 0 of the first may be matched with.
+    """
+    return Paths(cyclic_prices(cost, reward, fixed), len(cost), starts, len(cost))
+
+
+def rolled_paths(prices: Floats, first: int, starts: Index) -> Paths:
+    """Cheapest closed paths that match a station of the first ring with one of some others.
+
+    Parameters
+    ----------
+    prices : (M, n, n) float64
+        From `cyclic_prices`, with no station fixed.
+    first : int
+        Station of the first ring, the paths' row 0.
+    starts : (S,) intp
+        Stations of the second ring.
+    """
+    count = prices.shape[1]
+    return Paths(np.roll(prices, -first, axis=1), count, starts, count)
+
+
+def cyclic_prices(cost: Floats, reward: Floats, fixed: Index) -> Floats:
+    """Price of each move where it ends, (M, n, n), through the costs of two rings.
+
+    Parameters
+    ----------
     cost : (n, n) float64
         Infinite costs bar a cell.
     reward : (n, n) float64
         Taken off the price of a move that ends in the cell.
     fixed : (k,) intp
         Stations of the first ring that must be matched with the same of the second.
-    starts : (S,) intp
-        Stations of the second ring that station 0 of the first may be matched with.
     """
     count = len(cost)
     station = np.arange(count)
@@ -122,7 +159,7 @@ def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> P
     prices = _prices(_barred(cost + tilt(rows, columns), fixed)) - reward
     if len(fixed):
         prices[steps_over(rows, columns, fixed, count)] = np.inf
-    return Paths(prices, count, starts, count)
+    return prices
 
 
 def _barred(cost: Floats, fixed: Index) -> Floats:
@@ -145,6 +182,14 @@ def _prices(cost: Floats) -> Floats:
     return move_prices(cost_back)
 
 
+class OpenPath(NamedTuple):
+    """A path end to end: the stations that are matched, increasing, and its cost a row."""
+
+    rows: Index
+    columns: Index
+    cost: float
+
+
 def open_path(cost: Floats) -> tuple[Index, Index]:
     """The cheapest path through the costs of two open lines of n stations each, end to end.
 
@@ -157,6 +202,29 @@ def open_path(cost: Floats) -> tuple[Index, Index]:
     rows, columns : (K,) intp
         Stations that are matched, both strictly increasing, from 0 to n - 1.
     """
-    station = np.arange(len(cost))
-    prices = _prices(cost + tilt(station[:, None], station))
-    return Paths(prices, len(cost) - 1, np.zeros(1, dtype=np.intp), len(cost) - 1).trace(0)
+    return _end_to_end(cost).trace(0)
+
+
+def priced_path(cost: Floats, reward: Floats) -> OpenPath | None:
+    """The same with costs that bar cells where they are infinite, and rewards.
+
+    Parameters
+    ----------
+    cost, reward : (n, n) float64
+        As for `cyclic_prices`.
+
+    Returns
+    -------
+    OpenPath or None
+        None if all ways are barred.
+    """
+    paths = _end_to_end(cost, reward)
+    if not np.isfinite(paths.costs[0]):
+        return None
+    return OpenPath(*paths.trace(0), float(paths.costs[0]))
+
+
+def _end_to_end(cost: Floats, reward: Floats | float = 0.0) -> Paths:
+    station, steps = np.arange(len(cost)), len(cost) - 1
+    prices = _prices(cost + tilt(station[:, None], station)) - reward
+    return Paths(prices, steps, np.zeros(1, dtype=np.intp), steps)

@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.costs import Prepared
 
-__all__ = ["Layout", "layout_of", "mirrored_layout"]
+__all__ = ["Layout", "layout_of"]
 
 #: How many of the second outline's stations are skipped between those the first one's first may be
 #: matched with.
@@ -37,11 +37,6 @@ class Layout:
     fixed: Index
     starts: Index
 
-    @property
-    def image(self) -> Index:
-        """The station that is each one's mirror image, (n,), where the layout is mirrored."""
-        return -np.arange(len(self.a)) % len(self.a)
-
 
 def layout_of(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
     """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
@@ -50,29 +45,6 @@ def layout_of(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
     places_a, stations_a = _onto_vertices(a, at_a, fixed)
     places_b, stations_b = _onto_vertices(b, at_b, fixed)
     return Layout(places_a, places_b, stations_a, stations_b, fixed, starts)
-
-
-def mirrored_layout(a: Prepared, b: Prepared, axis: Floats, count: int) -> Layout:
-    """Stations of symmetric outlines, those past the axis the mirror images of those before it.
-
-    Parameters
-    ----------
-    a, b : Prepared
-    axis : (2, 2) float64
-        The axis' ends, rows a, b; stations 0 and `count` / 2.
-    count : int
-        Stations, an even number.
-    """
-    fixed = np.array([0, count // 2])
-    ends, vertices = [], []
-    for prepared, places in zip((a, b), axis.T, strict=True):
-        at = prepared.measures(places[0] + np.array([0.0, 0.5, 1.0]))
-        at = np.interp(np.arange(count), [0, count // 2, count], at)
-        half, nearest = _onto_vertices(prepared, at, fixed)
-        half = half[: count // 2 + 1]
-        ends.append(np.concatenate([half, 2 * half[-1] - half[-2:0:-1]]))
-        vertices.append(nearest)
-    return Layout(ends[0], ends[1], vertices[0], vertices[1], fixed, np.zeros(1, dtype=np.intp))
 
 
 def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:

@@ -1,13 +1,15 @@
-"""The best matchings of two outlines: the frames they are compared in, and the choice."""
+"""The best matchings of two outlines: found in every frame, ranked, and the first one refined."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Floats, Index
 from shapetween.match.band import band_path
+from shapetween.match.candidate import Candidate, around, away, distinct, follow, near
 from shapetween.match.correspondence import Confidence, Correspondence
 from shapetween.match.costs import (
     Cells,
@@ -19,39 +21,13 @@ from shapetween.match.costs import (
     stations,
     upright_cost,
 )
-from shapetween.match.dynamic import Paths, cyclic_paths
-from shapetween.match.layout import Layout, layout_of, mirrored_layout
-from shapetween.match.symmetry import aligned_axes
+from shapetween.match.dynamic import Paths, cyclic_paths, cyclic_prices, rolled_paths
+from shapetween.match.even import even_matchings, refined_even
+from shapetween.match.frames import MIN_TURN, Frame, handicap, standing
+from shapetween.match.layout import Layout, layout_of
+from shapetween.match.scale import BAND, FINE_STATIONS, STATIONS, VERTEX_REWARD, settled
 
-__all__ = ["best_matching"]
-
-#: Stations a matching is chosen with. Fewer lose fingers; more cost time with the cube and match no
-#: better.
-STATIONS = 64
-
-#: Stations a chosen matching is refined with, and how far it may move, as a share of them.
-FINE_STATIONS, BAND = 192, 0.04
-
-#: Least angle, radians, between the upright frame and one worth trying beside it.
-MIN_TURN = 0.25
-
-#: Least mean distance, as a share of the length, between two matchings that are different ones.
-DISTINCT = 0.03
-
-#: Drawings are meant upright: a turned frame must match this much better than the upright one.
-#: Higher turns trees upside down; lower leaves upright what is the same but drawn another way, as
-#: a plane that flies up and one that flies to the side.
-FRAME_RATIO = 0.73
-
-#: The same for symmetric outlines whose axes point the same way as drawn. Higher turns a spoon
-#: upside down to become a screwdriver; lower leaves upright even an arrow that becomes one the
-#: other way.
-STANDING_RATIO = 0.35
-
-#: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
-#: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
-#: and what lies between is not listened to.
-VERTEX_REWARD = 2.8 / STATIONS
+__all__ = ["best_matching", "best_matchings"]
 
 #: Symmetric outlines are meant to stay so: the matching that keeps them symmetric may cost this
 #: many times the cheapest. Less, and one side of a thing moves unlike the other; more, and a heart
@@ -60,6 +36,13 @@ SYMMETRY_RATIO = 1.25
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
+
+#: Salient tips of each outline of which every pair is tried for alternatives. More offer matchings
+#: that nobody means, and cost time with the square.
+FORCED_TIPS = 5
+
+#: Places at which a matching's unlikeness is read.
+MEAN_PLACES = 128
 
 #: Lead over the runner-up, as a share of the cost, that makes a matching sure; and the least one
 #: with which it is more than unsure, however alike the outlines are.
@@ -74,28 +57,6 @@ SURE_COST, LIKELY_COST = 0.7, 0.95
 PIN_REACH = 0.12
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Candidate:
-    """A matching found in one frame.
-
-    Attributes
-    ----------
-    a, b : (K,) float64
-        Knots, as fractions of both lengths from the canonical starts, over one turn.
-    cost : float
-    turn : float
-        The frame: the angle the first outline was turned by.
-    axis : (2, 2) float64 or None
-        Rows a, b of the two ends of the axis of symmetry, where the matching is symmetric.
-    """
-
-    a: Floats
-    b: Floats
-    cost: float
-    turn: float
-    axis: Floats | None = None
-
-
 def best_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     """The best matching of two outlines that are no affine images of one another.
 
@@ -106,11 +67,29 @@ def best_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
     pins : (K, 2) float64
         Fractions along source and target that are to be matched, in cyclic order.
     """
+    return best_matchings(a, b, pins, PER_FRAME + 1, forced=False)[0]
+
+
+def best_matchings(
+    a: Prepared, b: Prepared, pins: Floats, count: int, *, forced: bool
+) -> list[Correspondence]:
+    """Distinct matchings of two outlines, the best one first.
+
+    Parameters
+    ----------
+    a, b, pins
+        As for `best_matching`.
+    count : int
+        At most so many.
+    forced : bool
+        Whether salient tips are also forced onto each other, every one onto every other.
+    """
     pins = pins - [a.samples.start, b.samples.start]
     pins = pins - np.floor(pins)
     if _comes_second(a, b):
-        return _ordered_matching(b, a, pins[:, ::-1]).inverse()
-    return _ordered_matching(a, b, pins)
+        found = _Comparison(b, a, pins[:, ::-1]).best(count, forced)
+        return [matching.inverse() for matching in found]
+    return _Comparison(a, b, pins).best(count, forced)
 
 
 def _comes_second(a: Prepared, b: Prepared) -> bool:
@@ -126,99 +105,182 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
     return bool(len(clear) and gaps[clear[0]] > 0)
 
 
-def _ordered_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
-    pins = pins[np.argsort(pins[:, 0])]
-    layout = layout_of(a, b, pins, STATIONS)
-    cells = all_cells(len(layout.a), len(layout.b))
-    intrinsic = intrinsic_cost(stations(a, layout.a), stations(b, layout.b), cells)
-    paths = cyclic_paths(intrinsic, np.zeros_like(intrinsic), layout.fixed, layout.starts)
-    turn = _turn_between(a, b, _distinct(paths, layout, 1, 0.0)[0])
-    # Rewards not earned count as costs, so that the costs of two frames have a ratio.
-    unrewarded = VERTEX_REWARD * len(a.vertices.index)
-    ranked: list[tuple[float, Candidate]] = []
-    ratio = FRAME_RATIO
-    worths = {0.0: _worth_of_vertices(a, b, 0.0)}
-    if abs(turn) >= MIN_TURN:
-        worths[turn] = _worth_of_vertices(a, b, turn)
-    for angle, worth in worths.items():
-        cost = _cost(a, b, layout, angle, pins, cells)
-        paths = cyclic_paths(cost, _rewards(worth, layout), layout.fixed, layout.starts)
-        handicap = 1.0 if angle == 0 else 1 / ratio
-        found = _distinct(paths, layout, PER_FRAME, angle)
-        ranked += [((c.cost + unrewarded) * handicap, c) for c in found]
-        if len(pins) == 0:
-            even = _symmetric_matchings(a, b, angle, worth)
-            ranked += [((c.cost + unrewarded) * handicap / SYMMETRY_RATIO, c) for c in even]
-            if angle == 0 and even:
-                ratio = STANDING_RATIO
-    ranked.sort(key=lambda entry: entry[0])
-    costs = [cost for cost, _ in ranked] + [np.inf]
-    chosen = ranked[0][1]
-    ranked[0] = costs[0], _refined(a, b, chosen, worths[chosen.turn], pins)
-    made = [_finished(a, b, candidate, cost) for cost, candidate in ranked]
-    best = made[0]
-    return Correspondence(
-        u=best.u,
-        v=best.v,
-        cost=costs[0],
-        runner_up=costs[1],
-        confidence=_confidence(costs[0], costs[1]),
-        turn=best.turn,
-        others=tuple(made[1:]),
-    )
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ranked:
+    """A candidate, what it counts as, and the worth of vertices in its frame."""
+
+    cost: float
+    candidate: Candidate
+    worth: Floats
 
 
-def _symmetric_matchings(a: Prepared, b: Prepared, angle: float, worth: Floats) -> list[Candidate]:
-    """The best matchings of two symmetric outlines that match axis with axis, in one frame."""
-    found = []
-    cells = all_cells(STATIONS, STATIONS)
-    for axis in aligned_axes(a.axes, b.axes, angle):
-        layout = mirrored_layout(a, b, axis, STATIONS)
-        cost = _even_cost(a, b, layout, angle, cells)
-        paths = cyclic_paths(cost, _even_rewards(worth, layout), layout.fixed, layout.starts)
-        found += [_even(c, axis) for c in _distinct(paths, layout, 1, angle)]
-    return found
+class _Comparison:
+    """Two outlines in the order that geometry gives them, and the pins on them."""
+
+    def __init__(self, a: Prepared, b: Prepared, pins: Floats) -> None:
+        self.a, self.b = a, b
+        self.pins = pins[np.argsort(pins[:, 0])]
+        self.layout = layout_of(a, b, self.pins, STATIONS)
+        self.cells = all_cells(len(self.layout.a), len(self.layout.b))
+
+    def best(self, count: int, forced: bool) -> list[Correspondence]:
+        """Distinct matchings, the best one first and refined, at most `count`."""
+        ranked = sorted(self._ranked(forced), key=lambda entry: entry.cost)
+        kept: list[tuple[_Ranked, Candidate]] = []
+        for entry in ranked:
+            if len(kept) == count:
+                break
+            if any(near(entry.candidate, other.candidate) for other, _ in kept):
+                continue
+            # Candidates that are only there to be compared with need not be refined.
+            found = entry.candidate
+            if forced or not kept:
+                found = self._refined(found, entry.worth)
+            if not any(near(found, other) for _, other in kept):
+                kept.append((entry, found))
+        costs = [*(entry.cost for entry, _ in kept), np.inf]
+        made = [self._finished(found, entry.cost) for entry, found in kept]
+        confidence = _confidence(costs[0], costs[1])
+        others = tuple(made[1:])
+        made[0] = replace(made[0], runner_up=costs[1], confidence=confidence, others=others)
+        return made
+
+    def _ranked(self, forced: bool) -> Iterator[_Ranked]:
+        """Candidates of all frames."""
+        a, b = self.a, self.b
+        # Rewards not earned count as costs, so that the costs of two frames have a ratio.
+        unrewarded = VERTEX_REWARD * len(a.vertices.index)
+        unlike = self._unlike()
+        turn = self._turn(unlike)
+        upright, stands, factor = Frame(0.0, 1.0), False, 1.0
+        for angle in [0.0, turn] if abs(turn) >= MIN_TURN else [0.0]:
+            worth = _worth_of_vertices(a, b, angle)
+            even = even_matchings(a, b, angle, worth) if len(self.pins) == 0 else []
+            found = [
+                _Ranked(c.cost + unrewarded, c, worth) for c in self._in_frame(angle, worth, forced)
+            ]
+            found += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, worth) for c in even]
+            best = min(found, key=lambda entry: entry.cost).candidate
+            frame = Frame(angle, self._mean(unlike, best))
+            if angle == 0:
+                upright, stands = frame, bool(even)
+            else:
+                factor = handicap(upright, frame, standing(a), standing(b), stand=stands)
+            for entry in found:
+                yield replace(entry, cost=entry.cost * factor)
+
+    def _unlike(self) -> Floats:
+        """Unlikeness of all pairs of stations that no turning changes."""
+        first, second = stations(self.a, self.layout.a), stations(self.b, self.layout.b)
+        return settled(intrinsic_cost(first, second, self.cells))
+
+    def _turn(self, unlike: Floats) -> float:
+        """The angle by which the first is turned where they match best whatever their angle."""
+        layout = self.layout
+        paths = cyclic_paths(unlike, np.zeros_like(unlike), layout.fixed, layout.starts)
+        return _turn_between(self.a, self.b, next(self._by_cost(paths, 0, 0.0)))
+
+    def _mean(self, unlike: Floats, candidate: Candidate) -> float:
+        """Mean unlikeness along a matching, at even steps of both lengths."""
+        knots = (candidate.a - candidate.a[0] + candidate.b - candidate.b[0]) / 2
+        even = (np.arange(MEAN_PLACES) + 0.5) / MEAN_PLACES
+        count = len(unlike)
+        low, share = [], []
+        for places, layout in ((candidate.a, self.layout.a), (candidate.b, self.layout.b)):
+            at = np.interp(even, knots, places)
+            at = at - np.floor(at - layout[0])
+            index = np.interp(at, np.append(layout, layout[0] + 1), np.arange(count + 1))
+            low.append(np.floor(index).astype(np.intp))
+            share.append(index - low[-1])
+        (i, j), (s, t) = low, share
+        rows = [
+            (1 - t) * unlike[k % count, j % count] + t * unlike[k % count, (j + 1) % count]
+            for k in (i, i + 1)
+        ]
+        return float(((1 - s) * rows[0] + s * rows[1]).mean())
+
+    def _in_frame(self, angle: float, worth: Floats, forced: bool) -> list[Candidate]:
+        """The cheapest matchings of one frame that are different ones."""
+        layout = self.layout
+        cost = self._cost(layout, angle, self.cells)
+        prices = cyclic_prices(cost, _rewards(worth, layout), layout.fixed)
+        count = len(cost)
+        found = distinct(
+            self._by_cost(Paths(prices, count, layout.starts, count), 0, angle), PER_FRAME
+        )
+        if not forced or len(self.pins):
+            return found
+        tips = [_tips(side) for side in (self.a, self.b)]
+        goals = np.unique(layout.b_vertices[tips[1]])
+        more = [
+            candidate
+            for first in np.unique(layout.a_vertices[tips[0]]).tolist()
+            for candidate in self._by_cost(rolled_paths(prices, first, goals), first, angle)
+        ]
+        more.sort(key=lambda candidate: candidate.cost)
+        return found + distinct(more, len(more), found)
+
+    def _by_cost(self, paths: Paths, first: int, turn: float) -> Iterator[Candidate]:
+        """The paths from a station of the first outline, the cheapest first."""
+        places = around(self.layout)
+        once = np.concatenate([self.layout.a[first:], self.layout.a[: first + 1] + 1])
+        for which in np.argsort(paths.costs, kind="stable").tolist():
+            if not np.isfinite(paths.costs[which]):
+                return
+            rows, columns = paths.trace(which)
+            b = places[1][columns + paths.starts[which]]
+            yield Candidate(once[rows], b, float(paths.costs[which]), turn)
+
+    def _finished(self, found: Candidate, cost: float) -> Correspondence:
+        """The candidate in the outlines' own fractions."""
+        u, v = self.a.samples.start + found.a, self.b.samples.start + found.b
+        u[-1], v[-1] = u[0] + 1, v[0] + 1
+        return Correspondence(u, v, cost, np.inf, "unsure", found.turn)
+
+    def _refined(self, candidate: Candidate, worth: Floats) -> Candidate:
+        """The matching found again with more stations, near where it was.
+
+        Near along either outline: a tip beside its like may cross a stretch that the candidate
+        passed in one step.
+
+        Without pins, the first pass keeps one knot; the second is cut open half-way round, so that
+        this knot moves as well.
+        """
+        a, b, pins = self.a, self.b, self.pins
+        if candidate.ends is not None:
+            return refined_even(a, b, candidate, worth)
+        best = candidate
+        for cut in (0.0,) if len(pins) else (0.0, 0.5):
+            middle = best.a[0] + cut
+            kept = np.array([[middle, follow(best.a, best.b, np.array([middle]))[0]]])
+            layout = layout_of(a, b, pins if len(pins) else kept, FINE_STATIONS)
+            within = away(best, layout.a, layout.b) <= BAND
+            rows, columns = np.nonzero(within)
+            cost = self._cost(layout, candidate.turn, (rows, columns))
+            reward = _rewards(worth, layout)[within]
+            path = band_path((rows, columns), cost, reward, layout.fixed, len(layout.a))
+            if path is None:
+                break
+            knots = around(layout)
+            best = replace(best, a=knots[0][path[0]], b=knots[1][path[1]])
+        return best
+
+    def _cost(self, layout: Layout, angle: float, cells: Cells) -> Floats:
+        """Costs of pairs of stations in one frame."""
+        first, second = stations(self.a, layout.a), stations(self.b, layout.b)
+        cost = upright_cost(looks(first.turned(angle)), looks(second), cells)
+        if len(self.pins):
+            sway, astray = _pull(layout, self.pins, cells)
+            pulled = (intrinsic_cost(first, second, cells) + astray) / 2
+            cost = sway * pulled + (1 - sway) * cost
+        return settled(cost)
 
 
-def _refined_symmetric(
-    a: Prepared, b: Prepared, candidate: Candidate, worth: Floats, axis: Floats
-) -> Candidate:
-    """The symmetric matching found again with more stations, near where it was."""
-    layout = mirrored_layout(a, b, axis, FINE_STATIONS)
-    image = np.ix_(layout.image, layout.image)
-    near = _away(candidate, layout) <= BAND
-    near |= near[image]
-    rows, columns = np.nonzero(near)
-    cells = rows, columns
-    cost = _even_cost(a, b, layout, candidate.turn, cells)
-    reward = _even_rewards(worth, layout)[near]
-    path = band_path(cells, cost, reward, layout.fixed, len(layout.a))
-    if path is None:
-        return candidate
-    knots = _around(layout)
-    return _even(replace(candidate, a=knots[0][path[0]], b=knots[1][path[1]]), axis)
-
-
-def _even_cost(a: Prepared, b: Prepared, layout: Layout, angle: float, cells: Cells) -> Floats:
-    """Costs of pairs of stations of a mirrored layout, a pair's the same as its mirror image's."""
-    first, second = looks(stations(a, layout.a).turned(angle)), looks(stations(b, layout.b))
-    images = layout.image[cells[0]], layout.image[cells[1]]
-    return (upright_cost(first, second, cells) + upright_cost(first, second, images)) / 2
-
-
-def _even_rewards(worth: Floats, layout: Layout) -> Floats:
-    reward = _rewards(worth, layout)
-    return np.maximum(reward, reward[np.ix_(layout.image, layout.image)])
-
-
-def _even(candidate: Candidate, axis: Floats) -> Candidate:
-    """The matching with its first half, mirrored, for its second."""
-    half = int(np.abs(candidate.a - candidate.a[0] - 0.5).argmin())
-    a, b = (
-        np.concatenate([at[: half + 1], 2 * at[half] - at[:half][::-1]])
-        for at in (candidate.a, candidate.b)
-    )
-    return replace(candidate, a=a, b=b, axis=axis)
+def _tips(prepared: Prepared) -> Index:
+    """The most salient tips among the vertices, at most `FORCED_TIPS`."""
+    vertices = prepared.vertices
+    order = np.argsort(-np.round(vertices.weight, 9), kind="stable")
+    return order[vertices.convex[order]][:FORCED_TIPS]
 
 
 def _confidence(cost: float, runner_up: float) -> Confidence:
@@ -229,19 +291,6 @@ def _confidence(cost: float, runner_up: float) -> Confidence:
     if lead < LEAST_LEAD * cost or cost > LIKELY_COST:
         return "unsure"
     return "sure" if cost < SURE_COST else "likely"
-
-
-def _cost(
-    a: Prepared, b: Prepared, layout: Layout, angle: float, pins: Floats, cells: Cells
-) -> Floats:
-    """Costs of pairs of stations in one frame."""
-    first, second = stations(a, layout.a), stations(b, layout.b)
-    cost = upright_cost(looks(first.turned(angle)), looks(second), cells)
-    if len(pins) == 0:
-        return cost
-    sway, astray = _pull(layout, pins, cells)
-    pulled = (intrinsic_cost(first, second, cells) + astray) / 2
-    return sway * pulled + (1 - sway) * cost
 
 
 def _pull(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:
@@ -267,7 +316,7 @@ def _worth_of_vertices(a: Prepared, b: Prepared, angle: float) -> Floats:
     first, second = (stations(p, p.vertices.index / count) for p in (a, b))
     weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
     alike = a.vertices.convex[:, None] == b.vertices.convex
-    return np.asarray(weight * alike * likeness_of_vertices(first.turned(angle), second))
+    return settled(weight * alike * likeness_of_vertices(first.turned(angle), second))
 
 
 def _rewards(worth: Floats, layout: Layout) -> Floats:
@@ -282,88 +331,3 @@ def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
     """Angle of the rotation that takes the first's matched points nearest the second's."""
     za, zb = (stations(p, k).points @ [1, 1j] for p, k in ((a, candidate.a), (b, candidate.b)))
     return float(np.angle((zb * za.conj()).sum()))
-
-
-def _distinct(paths: Paths, layout: Layout, count: int, turn: float) -> list[Candidate]:
-    """The cheapest paths that are different matchings, at most `count`."""
-    kept: list[Candidate] = []
-    around_a, around_b = _around(layout)
-    for which in np.argsort(paths.costs, kind="stable"):
-        if not np.isfinite(paths.costs[which]):
-            break
-        rows, columns = paths.trace(int(which))
-        candidate = Candidate(
-            a=around_a[rows],
-            b=around_b[columns + paths.starts[which]],
-            cost=float(paths.costs[which]),
-            turn=turn,
-        )
-        if all(_apart(candidate, other) > DISTINCT for other in kept):
-            kept.append(candidate)
-            if len(kept) == count:
-                break
-    return kept
-
-
-def _around(layout: Layout) -> tuple[Floats, Floats]:
-    """Places of the stations once round the first outline, and twice round the second."""
-    once = np.append(layout.a, layout.a[0] + 1)
-    return once, np.concatenate([layout.b, layout.b + 1, layout.b[:1] + 2])
-
-
-def _apart(first: Candidate, second: Candidate) -> float:
-    """Mean distance of two matchings, as a share of the second outline's length."""
-    gap = first.b - _follow(second.a, second.b, first.a)
-    steps = np.diff(first.a)
-    away = np.abs(gap - np.round(gap))
-    return float((steps * (away[1:] + away[:-1]) / 2).sum())
-
-
-def _follow(knots: Floats, values: Floats, at: Floats) -> Floats:
-    """Linear between knots over one turn, continued beyond it."""
-    whole = np.floor(at - knots[0])
-    return np.asarray(np.interp(at - whole, knots, values) + whole)
-
-
-def _refined(
-    a: Prepared, b: Prepared, candidate: Candidate, worth: Floats, pins: Floats
-) -> Candidate:
-    """The matching found again with more stations, near where it was.
-
-    Near along either outline: a tip beside its like may cross a stretch that the candidate passed
-    in one step.
-
-    Without pins, the first pass keeps one knot; the second is cut open half-way round, so that
-    this knot moves as well.
-    """
-    best = candidate
-    if candidate.axis is not None:
-        return _refined_symmetric(a, b, candidate, worth, candidate.axis)
-    for cut in (0.0,) if len(pins) else (0.0, 0.5):
-        middle = best.a[0] + cut
-        kept = np.array([[middle, _follow(best.a, best.b, np.array([middle]))[0]]])
-        layout = layout_of(a, b, pins if len(pins) else kept, FINE_STATIONS)
-        near = _away(best, layout) <= BAND
-        rows, columns = np.nonzero(near)
-        cost = _cost(a, b, layout, candidate.turn, pins, (rows, columns))
-        reward = _rewards(worth, layout)[near]
-        path = band_path((rows, columns), cost, reward, layout.fixed, len(layout.a))
-        if path is None:
-            break
-        knots = _around(layout)
-        best = replace(best, a=knots[0][path[0]], b=knots[1][path[1]])
-    return best
-
-
-def _away(candidate: Candidate, layout: Layout) -> Floats:
-    """How far every pair of stations is from the matching, along the nearer outline, (n, n)."""
-    across = _follow(candidate.a, candidate.b, layout.a)[:, None] - layout.b
-    along = layout.a[:, None] - _follow(candidate.b, candidate.a, layout.b)
-    return np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
-
-
-def _finished(a: Prepared, b: Prepared, candidate: Candidate, cost: float) -> Correspondence:
-    """The candidate in the outlines' own fractions."""
-    u, v = a.samples.start + candidate.a, b.samples.start + candidate.b
-    u[-1], v[-1] = u[0] + 1, v[0] + 1
-    return Correspondence(u, v, cost, np.inf, "unsure", candidate.turn)

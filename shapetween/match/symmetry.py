@@ -1,16 +1,27 @@
 """Mirror symmetry of an outline: the places where its axes meet it."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Index, Points
 
-__all__ = ["Axes", "aligned_axes", "mirror_axes"]
+__all__ = ["Axes", "aligned_ends", "mirror_axes"]
 
-#: Deviation from its mirror image, a mean of squares, up to which an outline is symmetric. Drawings
-#: meant to be stay below half of it; those that only look alike on both sides lie far above it.
-MOST_DEVIATION = 1e-3
+#: Deviation from its mirror image, a mean of squares, as a share of that about any line, up to
+#: which an outline is symmetric, or meant to be but for a fold or a lock of hair. Larger takes a
+#: lopsided thing for an even one; of nine corners at random one in ten has a tenth.
+MOST_DEVIATION = 0.035
+
+#: Deviation up to which an outline is a disc, the mirror image of itself about any line through its
+#: centre. Larger takes the corners off a polygon of ten sides; smaller gives a disc of four cubics
+#: the axes that these have.
+ROUND = 1e-4
+
+#: How unevenly the axes' ends may lie round an outline, as a share of the even step, for its
+#: sectors to be alike. More takes two axes that happen to be found for those of a regular shape.
+UNEVEN = 0.1
 
 #: Angle, radians, up to which two axes point the same way. Less, and things that lean are not told;
 #: more, and what points up would come to point aside.
@@ -33,14 +44,28 @@ class Axes:
     Attributes
     ----------
     ends : (K,) float64
-        Fractions of the length where the axes meet the outline. The place as far before an end as
-        another lies after it is the other's mirror image; the axis' other end is half-way round.
+        Fractions of the length where the axes meet the outline, increasing. The place as far before
+        an end as another lies after it is the other's mirror image; the axis' other end is half-way
+        round.
     directions : (K,) float64
         Angles of the way along the axis from the other end, radians.
+    around : (N + 1,) float64 or None
+        Of a disc, to which every line through its centre is an axis: the angles at which its
+        samples lie, increasing over one turn. It has no other ends.
     """
 
     ends: Floats
     directions: Floats
+    around: Floats | None = None
+
+    def towards(self, directions: Floats) -> Floats:
+        """Fractions of a disc's length in some directions."""
+        assert self.around is not None
+        turn = 2 * np.pi
+        angle = self.around[0] + (directions - self.around[0]) % turn
+        count = len(self.around) - 1
+        places = np.interp(angle, self.around, np.arange(count + 1) / count)
+        return np.asarray(np.round(places / END_STEP) * END_STEP % 1)
 
 
 def mirror_axes(points: Points) -> Axes:
@@ -49,7 +74,7 @@ def mirror_axes(points: Points) -> Axes:
     Parameters
     ----------
     points : (N, 2) float64
-        Even steps of the length, N even, centroid of the area at 0.
+        Even steps of the length, clockwise as drawn, N even, centroid of the area at 0.
 
     Notes
     -----
@@ -62,30 +87,40 @@ def mirror_axes(points: Points) -> Axes:
     z = points @ [1, 1j]
     sums = np.fft.ifft(np.fft.fft(z) ** 2)
     deviation = 1 - np.abs(sums) / (np.abs(z) ** 2).sum()
+    if deviation.max() < ROUND:
+        around = np.unwrap(np.angle(np.append(z, z[0])))
+        return Axes(np.zeros(0), np.zeros(0), around)
     before, after = np.roll(deviation, 1), np.roll(deviation, -1)
     twice = np.flatnonzero(
-        (deviation < MOST_DEVIATION) & (deviation <= before) & (deviation < after)
+        (deviation < MOST_DEVIATION * deviation.mean())
+        & (deviation <= before)
+        & (deviation < after)
     )
     # The least deviation lies between samples: at the vertex of the parabola through three.
     bend = before[twice] - 2 * deviation[twice] + after[twice]
     between = (before[twice] - after[twice]) / (2 * bend)
-    half = np.round((twice + between) / (2 * count) / END_STEP) * END_STEP
-    ends = np.concatenate([half, half + 0.5])
+    half = np.round((twice + between) / (2 * count) / END_STEP) * END_STEP % 0.5
+    ends = np.sort(np.concatenate([half, half + 0.5]))
     places = np.append(z, z[:1])
     end, other = np.interp(np.stack([ends, ends + 0.5]) % 1 * count, np.arange(count + 1), places)
-    return Axes(ends % 1, np.angle(end - other))
+    return Axes(ends, np.angle(end - other))
 
 
-def aligned_axes(a: Axes, b: Axes, angle: float) -> list[Floats]:
-    """Pairs of axes that point the same way once the first outline is turned by an angle.
+def aligned_ends(a: Axes, b: Axes, angle: float) -> list[Floats]:
+    """Axes that point the same way once the first outline is turned by an angle.
 
-    Every axis of the outline with fewer of them, with the other's nearest.
+    For every axis of the outline with fewer of them, with the other's nearest: the ends of all axes
+    that both have in common when these two are one.
 
     Returns
     -------
-    list of (2, 2) float64
-        Rows a, b of the fractions of the axes' ends that belong together, a increasing.
+    list of (2 g, 2) float64
+        Rows a, b of the fractions of the ends that belong together, each increasing over one turn.
     """
+    if a.around is not None and b.around is None and len(b.ends):
+        return [np.column_stack(_over_one_turn(a.towards(b.directions - angle), b.ends))]
+    if b.around is not None and a.around is None and len(a.ends):
+        return [np.column_stack(_over_one_turn(a.ends, b.towards(a.directions + angle)))]
     turn = a.directions[:, None] + angle - b.directions
     turn = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
     rows, columns = len(a.ends), len(b.ends)
@@ -93,14 +128,47 @@ def aligned_axes(a: Axes, b: Axes, angle: float) -> list[Floats]:
         return []
     if rows <= columns:
         first = np.arange(rows // 2)
-        second = turn[first].argmin(axis=1)
+        second = _nearest(turn[first])
     else:
         second = np.arange(columns // 2)
-        first = turn[:, second].argmin(axis=0)
-    nearest = np.argsort(turn[first, second], kind="stable")[:MOST_AXES]
-    pairs = []
-    for i, j in zip(first[nearest], second[nearest], strict=True):
-        if turn[i, j] < MOST_TURN:
-            ends = np.array([[a.ends[i], b.ends[j]], [a.ends[i] + 0.5, b.ends[j] + 0.5]]) % 1
-            pairs.append(ends[np.argsort(ends[:, 0])])
-    return pairs
+        first = _nearest(turn[:, second].T)
+    common = math.gcd(rows, columns) if _regular(a) and _regular(b) else 2
+    best = np.argsort(np.round(turn[first, second], 9), kind="stable")[:MOST_AXES]
+    found: list[Floats] = []
+    for i, j in zip(first[best].tolist(), second[best].tolist(), strict=True):
+        if turn[i, j] >= MOST_TURN:
+            continue
+        step = np.arange(common)
+        at = (i + step * (rows // common)) % rows, (j + step * (columns // common)) % columns
+        ends = np.column_stack(_over_one_turn(a.ends[at[0]], b.ends[at[1]]))
+        if not any(_same(ends, other) for other in found):
+            found.append(ends)
+    return found
+
+
+def _nearest(turn: Floats) -> Index:
+    """Column of the least of each row, of equal ones the first; rounding has no say."""
+    return np.asarray(np.round(turn, 9).argmin(axis=1))
+
+
+def _regular(axes: Axes) -> bool:
+    """Whether the sectors between the axes are alike."""
+    count = len(axes.ends)
+    gaps = np.diff(axes.ends, append=axes.ends[:1] + 1)
+    return bool((np.abs(gaps * count - 1) < UNEVEN).all())
+
+
+def _over_one_turn(first: Floats, second: Floats) -> tuple[Floats, Floats]:
+    """Both from the least of the first on, increasing."""
+    start = int(first.argmin())
+    first, second = np.roll(first, -start), np.roll(second, -start)
+    second = second[0] + (second - second[0]) % 1
+    return first, second
+
+
+def _same(first: Floats, second: Floats) -> bool:
+    """Whether two sets of ends are one."""
+    if len(first) != len(second):
+        return False
+    gap = first - second
+    return bool((np.abs(gap - np.round(gap)) < 1e-9).all())

@@ -185,6 +185,34 @@ def test_a_matcher_is_asked_for_any_pins_as_places_or_points() -> None:
         assert (alone.v == by_points.v).all()
 
 
+def test_alternatives_are_distinct_and_hold_what_a_tip_may_become() -> None:
+    """Any of the fingers may become any other: one of few alternatives takes each where it goes."""
+    a, b = polygon(hand()), polygon(hand(fingers=5))
+    found = Matcher(a, b).alternatives(8)
+    assert len(found) == 8
+    best = correspond(a, b)
+    assert (found[0].u == best.u).all()
+    assert (found[0].v == best.v).all()
+    costs = [matching.cost for matching in found]
+    assert costs == sorted(costs)
+    reached = np.array([target_at(matching, GRID) for matching in found])
+    for k, one in enumerate(reached):
+        for other in reached[:k]:
+            gap = one - other
+            assert np.abs(gap - np.round(gap)).mean() > 0.02
+    backward = Matcher(b, a).alternatives(8)
+    for there, back in zip(found, backward, strict=True):
+        assert apart(source_at(back, GRID), target_at(there, GRID)) < 1e-9
+
+
+def test_an_affine_image_has_alternatives_too() -> None:
+    outline = rounded(star(5))
+    found = Matcher(outline, outline.transformed(rotation(0.4))).alternatives()
+    assert found[0].affine is not None
+    assert all(other.affine is None for other in found[1:])
+    assert len(found) > 1
+
+
 def test_pins_choose_among_affine_maps_and_may_rule_all_out() -> None:
     square = polygon(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))
     matcher = Matcher(square, square)

@@ -7,7 +7,7 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.match import correspond
 from shapetween.match.correspondence import Correspondence
 from shapetween.match.sampling import sample
-from shapetween.match.symmetry import Axes, aligned_axes, mirror_axes
+from shapetween.match.symmetry import Axes, aligned_ends, mirror_axes
 from shapetween.model.outline import Outline
 from tests.match.shapes import polygon, rotation, rounded, star, target_at
 
@@ -47,8 +47,10 @@ def test_the_axis_of_a_symmetric_outline_is_found_however_it_is_turned(
     outline = outline if outline.area > 0 else outline.reversed()
     axes = mirror_axes(sample(outline.transformed(rotation(angle, 7.0))).points)
     along = np.exp(1j * (axes.directions - angle))
-    assert len(axes.ends) == 2
-    np.testing.assert_allclose(np.sort(along.imag), [-1, 1], atol=1e-3)
+    # One that is nearly symmetric about another line as well has that for an axis too.
+    assert len(axes.ends) in (2, 4)
+    upright = np.sort(along.imag[np.abs(along.real) < 1e-3])
+    np.testing.assert_allclose(upright, [-1, 1], atol=1e-3)
 
 
 @pytest.mark.parametrize("sides", [3, 4, 5])
@@ -79,16 +81,16 @@ def axes(*directions: float) -> Axes:
 
 
 def test_axes_are_paired_end_with_end_in_the_frame() -> None:
-    assert aligned_axes(axes(0.3), axes(1.4), 0.0) == []
-    (turned,) = aligned_axes(axes(0.3), axes(1.4), 1.0)
+    assert aligned_ends(axes(0.3), axes(1.4), 0.0) == []
+    (turned,) = aligned_ends(axes(0.3), axes(1.4), 1.0)
     np.testing.assert_array_equal(turned, [[0, 0], [0.5, 0.5]])
-    (other_way,) = aligned_axes(axes(0.3), axes(0.3 + np.pi), 0.0)
-    np.testing.assert_array_equal(other_way, [[0, 0.5], [0.5, 0]])
+    (other_way,) = aligned_ends(axes(0.3), axes(0.3 + np.pi), 0.0)
+    np.testing.assert_array_equal(other_way, [[0, 0.5], [0.5, 1]])
 
 
 def test_every_axis_of_the_one_with_fewer_is_paired() -> None:
     many = axes(*(np.pi * np.arange(7) / 7))
-    for pairs in (aligned_axes(many, axes(0.5), 0.0), aligned_axes(axes(0.5), many, 0.0)):
+    for pairs in (aligned_ends(many, axes(0.5), 0.0), aligned_ends(axes(0.5), many, 0.0)):
         assert len(pairs) == 1
 
 

@@ -1,0 +1,158 @@
+"""Matchings of two symmetric outlines that match axis with axis, each sector like the next."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from shapetween.base.arrays import Floats, Index
+from shapetween.match.candidate import Candidate, away
+from shapetween.match.costs import Prepared, looks, stations, upright_cost
+from shapetween.match.dynamic import priced_path
+from shapetween.match.scale import BAND, FINE_STATIONS, STATIONS, VERTEX_REWARD, settled
+from shapetween.match.symmetry import aligned_ends
+
+__all__ = ["even_matchings", "refined_even"]
+
+#: Least steps of a sector. Fewer, and a regular shape of many axes loses what lies between two of
+#: them; more cost time.
+LEAST_STEPS = 12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Side:
+    """Stations of one outline, sector by sector.
+
+    Attributes
+    ----------
+    shares : (m + 1,) float64
+        How far along its sector each station lies, from 0 to 1, seen from the axis that even
+        sectors start at.
+    places : (2 g, m + 1) float64
+        Fractions of the length from the canonical start; those of an odd sector run back.
+    sector, station : (V,) intp
+        Where the salient vertices are; one on an axis is there once for either side.
+    vertex : (V,) intp
+    """
+
+    shares: Floats
+    places: Floats
+    sector: Index
+    station: Index
+    vertex: Index
+
+
+def even_matchings(a: Prepared, b: Prepared, angle: float, worth: Floats) -> list[Candidate]:
+    """The best matchings of two outlines that keep the axes they have in common, in one frame.
+
+    Parameters
+    ----------
+    a, b : Prepared
+    angle : float
+        By which the first is turned.
+    worth : (K, K) float64
+        Of salient vertices that meet.
+    """
+    found = []
+    for ends in aligned_ends(a.axes, b.axes, angle):
+        candidate = _matched(a, b, ends, angle, worth, STATIONS, None)
+        if candidate is not None:
+            found.append(candidate)
+    return found
+
+
+def refined_even(a: Prepared, b: Prepared, candidate: Candidate, worth: Floats) -> Candidate:
+    """The matching found again with more stations, near where it was."""
+    assert candidate.ends is not None
+    found = _matched(a, b, candidate.ends, candidate.turn, worth, FINE_STATIONS, candidate)
+    return candidate if found is None else replace(found, cost=candidate.cost)
+
+
+def _matched(
+    a: Prepared,
+    b: Prepared,
+    ends: Floats,
+    angle: float,
+    worth: Floats,
+    count: int,
+    near: Candidate | None,
+) -> Candidate | None:
+    """The cheapest path through one sector, the costs of all sectors laid upon each other."""
+    sectors = len(ends)
+    steps = max(count // sectors, LEAST_STEPS * count // STATIONS)
+    first, second = _side(a, ends[:, 0], steps), _side(b, ends[:, 1], steps)
+    side = np.arange(steps + 1)
+    rows, columns = (part.ravel() for part in np.meshgrid(side, side, indexing="ij"))
+    if near is not None:
+        gaps = [away(near, p, q) for p, q in zip(first.places, second.places, strict=True)]
+        rows, columns = np.nonzero((np.array(gaps) <= BAND).any(axis=0))
+    base = (steps + 1) * np.arange(sectors)[:, None]
+    cells = base + rows, base + columns
+    here = looks(stations(a, first.places.ravel()).turned(angle))
+    there = looks(stations(b, second.places.ravel()))
+    cost = np.full((steps + 1, steps + 1), np.inf)
+    cost[rows, columns] = settled(upright_cost(here, there, cells).mean(axis=0))
+    earned = _earned(first, second, worth, sectors, steps)
+    path = priced_path(cost, steps * earned)
+    if path is None:
+        return None
+    along = first.shares[path.rows], second.shares[path.columns]
+    knots = [_unfolded(end, share) for end, share in zip(ends.T, along, strict=True)]
+    return Candidate(knots[0], knots[1], path.cost - float(earned[0, 0]), angle, ends)
+
+
+def _side(prepared: Prepared, ends: Floats, steps: int) -> _Side:
+    """Stations at even steps of the measure, moved onto the nearest vertices."""
+    sectors = len(ends)
+    bounds = np.append(ends, ends[0] + 1)
+    lengths = np.diff(bounds)
+    at = prepared.measures(bounds[:2])
+    shares = (prepared.places(np.linspace(at[0], at[1], steps + 1)) - bounds[0]) / lengths[0]
+    shares[0], shares[-1] = 0.0, 1.0
+    vertex = prepared.vertices.index / len(prepared.samples.points)
+    vertex = vertex - np.floor(vertex - bounds[0])
+    sector = np.searchsorted(bounds, vertex, side="right") - 1
+    share = (vertex - bounds[sector]) / lengths[sector]
+    share = np.where(sector % 2 == 0, share, 1 - share)
+    station = np.abs(share[:, None] - shares).argmin(axis=1)
+    inner = (station > 0) & (station < steps)
+    for k in np.flatnonzero(inner)[::-1]:  # of several at one station the first counts
+        shares[station[k]] = share[k]
+    # One on an axis belongs to the sectors on both sides of it.
+    back = (station == 0) == (sector % 2 == 0)
+    beside = np.where(back, sector - 1, sector + 1) % sectors
+    on = np.flatnonzero(~inner)
+    turned = np.where(np.arange(sectors) % 2 == 0, 1.0, -1.0)[:, None]
+    begin = np.where(turned > 0, bounds[:-1, None], bounds[1:, None])
+    places = begin + turned * shares * lengths[:, None]
+    every = np.arange(len(vertex))
+    return _Side(
+        shares,
+        places,
+        np.append(sector, beside[on]),
+        np.append(station, station[on]),
+        np.append(every, on),
+    )
+
+
+def _earned(first: _Side, second: _Side, worth: Floats, sectors: int, steps: int) -> Floats:
+    """What all sectors together earn in each cell by salient vertices that meet."""
+    best = np.zeros((steps + 1, steps + 1))
+    same = first.sector[:, None] == second.sector
+    pairs = np.where(same, worth[np.ix_(first.vertex, second.vertex)], 0.0)
+    np.maximum.at(best, (first.station[:, None], second.station[None]), pairs)
+    best *= sectors * VERTEX_REWARD
+    # What lies on an axis is in two sectors, and there once.
+    best[[0, -1]] /= 2
+    best[1:-1, [0, -1]] /= 2
+    return settled(best)
+
+
+def _unfolded(ends: Floats, shares: Floats) -> Floats:
+    """Knots of all sectors from those of one, over one turn."""
+    lengths = np.diff(np.append(ends, ends[0] + 1))
+    forth, back = shares[:-1], 1 - shares[:0:-1]
+    knots = [
+        start + length * (back if k % 2 else forth)
+        for k, (start, length) in enumerate(zip(ends, lengths, strict=True))
+    ]
+    return np.append(np.concatenate(knots), ends[0] + 1)
