@@ -44,6 +44,11 @@ ALONG, MOST_SLENDER = 0.12, 2.0
 #: more leaves upright even an arrow that becomes one the other way.
 STANDING_RATIO = 1 / 0.35
 
+#: Angle between their long axes, times how slender they are, from which on they do not stand alike,
+#: whatever axes they have: one is upright and the other lies. More leaves a battery upright that
+#: becomes one that lies; less tells a tall box from a wide one.
+ASKEW = 1.2
+
 
 @dataclass(frozen=True, slots=True)
 class Standing:
@@ -97,11 +102,12 @@ def handicap(upright: Frame, turned: Frame, a: Standing, b: Standing, *, stand: 
     stand : bool
         Whether both are symmetric about axes that point the same way as drawn.
     """
-    if stand:
+    slender = min((a.slender + b.slender) / 2, MOST_SLENDER)
+    apart = _apart(a.along - b.along)
+    if stand and slender * apart < ASKEW:
         return STANDING_RATIO
     over = (abs(turned.turn) - OVER_FROM) / (OVER_TO - OVER_FROM)
-    slender = min((a.slender + b.slender) / 2, MOST_SLENDER)
-    nearer = _apart(a.along - b.along) - _apart(a.along + turned.turn - b.along)
+    nearer = apart - _apart(a.along + turned.turn - b.along)
     alike = float(np.log(max(turned.unlike, LEAST) / max(upright.unlike, LEAST)))
     weight = TURNED + OVER * min(max(over, 0.0), 1.0) + ALIKE * alike - ALONG * slender * nearer
     return float(np.exp(weight))
