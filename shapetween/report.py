@@ -77,11 +77,12 @@ def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
         **(mesh_figures(ring.pair) if ring.pair is not None else {}),
         "found": ring.found,
         "moved_by": body.setting,
-        "led_by_quads": round(body.led, 4),
+        "quad_share": round(body.quad_share, 4),
+        "led_by_quads": round(body.quad_share, 4),  # its name up to this version
         "self_crossing": {
             "times_checked": body.checked,
             "found": body.crossing,
-            "repaired": body.mended,
+            "repaired": body.repaired,
         },
         "matching": {
             "cost": _number(matching.cost),

@@ -6,7 +6,7 @@ import numpy as np
 
 from shapetween.attach.planes import Finders, Spots
 from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.bezier import flatten
 from shapetween.model.outline import Outline
 from shapetween.outline.body import Carried
@@ -35,7 +35,7 @@ class Deck:
     def of(cls, body: Carried) -> "Deck | None":
         """The plane around a body; None if it moves without one."""
         mesh = getattr(body.path, "mesh", None)
-        return cls(body, Finders(mesh)) if isinstance(mesh, PlaneMesh) else None
+        return cls(body, Finders(mesh)) if isinstance(mesh, AmbientMesh) else None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

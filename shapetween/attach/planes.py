@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, polar
 from shapetween.model.fit import inverted, mapped
@@ -47,17 +47,17 @@ class Finder:
 
     Parameters
     ----------
-    mesh : PlaneMesh
+    mesh : AmbientMesh
     arrives : bool
         Whether the points are places at the end; else at the start.
     """
 
-    def __init__(self, mesh: PlaneMesh, arrives: bool) -> None:
+    def __init__(self, mesh: AmbientMesh, arrives: bool) -> None:
         from scipy.spatial import KDTree  # slow to import
 
         corners = (mesh.target if arrives else mesh.source)[mesh.triangles]
         first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-        sound = (np.abs(cross(first, second)) > 0) & ~mesh.turned
+        sound = (np.abs(cross(first, second)) > 0) & ~mesh.inverted
         self._triangles = mesh.triangles[sound]
         self._origins = corners[sound, 0]
         inverses = np.linalg.inv(np.stack([first, second], axis=-1)[sound])
@@ -118,7 +118,7 @@ class Spots:
 class Finders:
     """A plane mesh at both ends, ready to find what holds points there."""
 
-    def __init__(self, mesh: PlaneMesh) -> None:
+    def __init__(self, mesh: AmbientMesh) -> None:
         self._mesh = mesh
         self._known: dict[bool, Finder] = {}
 
@@ -172,12 +172,12 @@ class MeshPlane:
 
     Attributes
     ----------
-    mesh : PlaneMesh
+    mesh : AmbientMesh
     path : VertexPath
         Moves the mesh's vertices.
     """
 
-    mesh: PlaneMesh
+    mesh: AmbientMesh
     path: VertexPath
     _known: tuple[bytes, Points] | None = None
     _finders: Finders = field(init=False)

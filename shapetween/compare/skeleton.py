@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import polygon_area
 from shapetween.interpolate import INTERIORS, tween
@@ -44,8 +44,8 @@ class Skeleton:
     def of(cls, body: Carried, method: str) -> "Skeleton":
         """The skeleton of a body that `method` moves, alone or by leading a plane."""
         mesh = getattr(body.path, "mesh", None)
-        if isinstance(mesh, PlaneMesh):
-            triangles = mesh.triangles[mesh.inside & ~mesh.turned]
+        if isinstance(mesh, AmbientMesh):
+            triangles = mesh.triangles[mesh.inside & ~mesh.inverted]
             return cls(body.path, (triangles,), None, mesh.source)
         pair = joined_meshes(body.nodes.rings)
         inside = Inside.of(pair, INTERIORS[method])

@@ -28,7 +28,7 @@ OUTSIDE_COST = 10.0
 
 
 def gradients(corners: Complex) -> tuple[Complex, Floats]:
-    """Gradients of the three linear hat functions, and signed areas.
+    """Gradients of the three linear shape functions, and signed areas.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def gradients(corners: Complex) -> tuple[Complex, Floats]:
 
     Returns
     -------
-    hats : (T, 3) complex128
+    shape_gradients : (T, 3) complex128
         As vectors: `jacobians` sums them with values at the corners.
     areas : (T,) float64
     """
@@ -47,12 +47,12 @@ def gradients(corners: Complex) -> tuple[Complex, Floats]:
     return 1j * opposite / twice[:, None], twice / 2
 
 
-def jacobians(hats: Complex, corners: Complex) -> LinearMaps:
+def jacobians(shape_gradients: Complex, corners: Complex) -> LinearMaps:
     """Jacobians of the affine maps that take the corners of triangles to given points.
 
     Parameters
     ----------
-    hats : (T, 3) complex128
+    shape_gradients : (T, 3) complex128
         From `gradients`.
     corners : (..., T, 3) complex128
 
@@ -61,7 +61,9 @@ def jacobians(hats: Complex, corners: Complex) -> LinearMaps:
     (..., T) linear maps
     """
     half = corners / 2
-    return LinearMaps((half * hats.conj()).sum(axis=-1), (half * hats).sum(axis=-1))
+    return LinearMaps(
+        (half * shape_gradients.conj()).sum(axis=-1), (half * shape_gradients).sum(axis=-1)
+    )
 
 
 def polar_path(maps: LinearMaps, angles: Floats, t: Floats) -> LinearMaps:
@@ -92,7 +94,7 @@ def polar_path(maps: LinearMaps, angles: Floats, t: Floats) -> LinearMaps:
 
 
 def spread_angles(
-    angles: Floats, triangles: Index, weights: Floats, inside: Mask, sound: Mask
+    angles: Floats, triangles: Index, weights: Floats, inside: Mask, valid: Mask
 ) -> Floats:
     """Angles of Jacobians with whole turns chosen so that neighbours agree.
 
@@ -107,7 +109,7 @@ def spread_angles(
     weights : (T,) float64
         What each triangle counts in the mean.
     inside : (T,) bool
-    sound : (T,) bool
+    valid : (T,) bool
         Triangles whose map has a positive determinant; others are passed through last.
 
     Returns
@@ -117,5 +119,5 @@ def spread_angles(
     sides = triangle_edges(triangles)[1]
     sides = sides[sides[:, 1] >= 0]
     i, j = sides.T
-    through = ~(inside[i] & inside[j]) + 2.0 * ~(sound[i] & sound[j])
-    return coherent_angles(angles, sides, weights * (inside & sound), OUTSIDE_COST * through)
+    through = ~(inside[i] & inside[j]) + 2.0 * ~(valid[i] & valid[j])
+    return coherent_angles(angles, sides, weights * (inside & valid), OUTSIDE_COST * through)

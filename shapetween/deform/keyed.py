@@ -1,6 +1,6 @@
-"""A plane's motion by a few solved times and a smooth way between them.
+"""The motion of an ambient mesh by a few solved times and a smooth way between them.
 
-Solving the plane is dear and its motion is smooth, so it is solved at a few even times and a cubic
+Solving is dear and its motion is smooth, so it is solved at a few even times and a cubic
 spline goes through them. The spline runs in the frame that moves along with the shapes as wholes:
 what moves with that frame stands still in it, and similar or affine images come out exactly.
 """
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from shapetween.base.arrays import Complex, Floats, Points, times
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.spline import spline_weights
 
 __all__ = ["KeyedMotion"]
@@ -23,16 +23,16 @@ class KeyedMotion:
 
     Attributes
     ----------
-    mesh : PlaneMesh
+    mesh : AmbientMesh
     keys : (K, V) complex128
         Its vertices at K even times, in the frame of its body's motion.
     """
 
-    mesh: PlaneMesh
+    mesh: AmbientMesh
     keys: Complex
 
     @classmethod
-    def of(cls, mesh: PlaneMesh, posed: Complex) -> "KeyedMotion":
+    def of(cls, mesh: AmbientMesh, posed: Complex) -> "KeyedMotion":
         """From vertices at even times, 0 and 1 among them, from pose to pose, (K, V)."""
         frame = mesh.body.at(np.linspace(0, 1, len(posed)))
         return cls(mesh, frame.inverse()[:, None](posed))

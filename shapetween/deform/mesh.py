@@ -1,7 +1,7 @@
 """A triangulation of the whole plane that fits two sets of matched outlines.
 
 It is built around one of the two and then laid around the other. Where that is impossible some
-triangles stay turned over; they are marked, and the motion leaves them out.
+triangles stay inverted; they are marked, and the motion leaves them out.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,38 +17,38 @@ from shapetween.deform.untangle import Untangler
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.polygon import polygon_area
 
-__all__ = ["PlaneMesh", "plane_mesh"]
+__all__ = ["AmbientMesh", "ambient_mesh"]
 
 #: Radius of the frame over that of the shapes. Smaller, and limbs that swing out are held back;
 #: larger costs triangles.
 FRAME_RADIUS = 1.6
-#: Rings of neighbours refined with triangles that stay turned over. Fewer leave meshes tangled
+#: Rings of neighbours refined with triangles that stay inverted. Fewer leave meshes tangled
 #: that more would free; more cost triangles.
 REFINED_RINGS = 2
-#: Share of turned triangles that is left alone: the motion gets by with a few, and patience costs
+#: Share of inverted triangles that is left alone: the motion gets by with a few, and patience costs
 #: seconds.
 TOLERATED = 0.03
-#: Least area of a triangle over the square of its longest side. Thinner ones count as turned
-#: over: their Jacobians are rounding error.
+#: Least area of a triangle over the square of its longest side. Thinner ones count as
+#: inverted: their Jacobians are rounding error.
 LEAST_ASPECT = 1e-7
 #: Relative difference below which two measures of shapes are the same.
 SAME = 1e-9
-#: Steps of the grid, in a shape's size, that nodes are put on while the plane is laid about them.
-#: Untangling what resists turns rounding into other meshes, and the same drawings backwards in
+#: Steps of the grid, in a shape's size, that nodes are put on while the mesh is fitted to them.
+#: Untangling what resists makes rounding into other meshes, and the same drawings backwards in
 #: time, or in other units, differ by rounding. More and it shows again; fewer and nodes that lie
 #: close become one.
 STEPS = 2.0**30
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PlaneMesh:
+class AmbientMesh:
     """Triangles over two arrays of vertices: nodes of the outlines first, then frame, then free.
 
     Attributes
     ----------
     source, target : (V, 2) float64
     triangles : (T, 3) intp
-        Of positive area in both, but for those `turned`.
+        Of positive area in both, but for those `inverted`.
     inside : (T,) bool
         Triangles inside the outlines.
     rings : tuple of (N_r,) intp
@@ -57,8 +57,8 @@ class PlaneMesh:
         Poses of source and target.
     body : AffinePath
         Motion of the shapes as a whole, between their poses; the frame follows it.
-    turned : (T,) bool
-        Triangles turned over, or almost without area, on one side.
+    inverted : (T,) bool
+        Triangles inverted, or almost without area, on one side.
     """
 
     source: Points
@@ -68,16 +68,16 @@ class PlaneMesh:
     rings: tuple[Index, ...]
     poses: tuple[Pose, Pose]
     body: AffinePath
-    turned: Mask = field(init=False)
+    inverted: Mask = field(init=False)
 
     def __post_init__(self) -> None:
-        """Copy and lock the arrays; find the triangles turned over."""
+        """Copy and lock the arrays; find the inverted triangles."""
         for name in ("source", "target"):
             object.__setattr__(self, name, frozen(getattr(self, name), np.float64, last=(2,)))
         object.__setattr__(self, "triangles", frozen(self.triangles, np.intp, last=(3,)))
         object.__setattr__(self, "inside", frozen(self.inside, np.bool_, ndim=1))
-        turned = _thin(self.source[self.triangles]) | _thin(self.target[self.triangles])
-        object.__setattr__(self, "turned", frozen(turned, np.bool_, ndim=1))
+        inverted = _thin(self.source[self.triangles]) | _thin(self.target[self.triangles])
+        object.__setattr__(self, "inverted", frozen(inverted, np.bool_, ndim=1))
 
     @property
     def nodes(self) -> int:
@@ -108,9 +108,9 @@ class PlaneMesh:
         return placed
 
 
-def plane_mesh(
+def ambient_mesh(
     source: Points, target: Points, rings: Sequence[Index] | None = None, *, refine: bool = True
-) -> PlaneMesh:
+) -> AmbientMesh:
     """Triangulate the plane around two sets of matched outlines.
 
     Swapping source and target gives the same triangles.
@@ -140,7 +140,7 @@ def plane_mesh(
     loops = tuple(frozen(r, np.intp, ndim=1) for r in rings or [np.arange(len(a))])
     edges = ring_edges(loops)
     poses = tuple(Pose.of(p, float(sum(polygon_area(p[r]) for r in loops))) for p in (a, b))
-    ordered = _leads(poses[0].normalise(a), poses[1].normalise(b), edges)
+    ordered = _is_base(poses[0].normalise(a), poses[1].normalise(b), edges)
     first, second = [poses[0].normalise(a), poses[1].normalise(b)][:: 1 if ordered else -1]
     body = affine_path(first, second)
     vertices, layout = _fit(first, second, body, loops, refine)
@@ -150,7 +150,7 @@ def plane_mesh(
         np.concatenate([nodes, pose.place(points[len(nodes) :])])
         for nodes, pose, points in zip((a, b), poses, vertices, strict=True)
     )
-    return PlaneMesh(
+    return AmbientMesh(
         source,
         target,
         layout.triangles,
@@ -174,15 +174,15 @@ class _Attempt:
         Whether the layout was built around the second shape.
     placed : (V, 2) float64
         Vertices about the other shape.
-    turned : int
-        How many triangles are turned over there.
+    inverted : int
+        How many triangles are inverted there.
     """
 
     layout: Layout
     nodes: Points
     swapped: bool
     placed: Points
-    turned: int
+    inverted: int
 
     @classmethod
     def at(
@@ -193,11 +193,11 @@ class _Attempt:
         untangler = Untangler.of(layout.points, layout.triangles, fixed)
         start = layout.points.copy()
         start[: len(nodes)] = nodes
-        placed, turned = untangler.untangle(untangler.harmonic(start), patient=patient)
-        return cls(layout, nodes, swapped, placed, turned)
+        placed, inverted = untangler.untangle(untangler.harmonic(start), patient=patient)
+        return cls(layout, nodes, swapped, placed, inverted)
 
     def refined(self) -> "_Attempt":
-        """The same with the triangles split that are turned over, and those about them."""
+        """The same with the triangles split that are inverted, and those around them."""
         layout = self.layout.refined(_thin(self.placed[self.layout.triangles]), REFINED_RINGS)
         return _Attempt.at(layout, self.nodes, self.swapped)
 
@@ -219,9 +219,9 @@ def _fit(
         raise OutlineError("two nodes of the outlines coincide")
     best: _Attempt | None = None
     for attempt in _attempts(shapes, rings, refine):
-        if best is None or attempt.turned < best.turned:
+        if best is None or attempt.inverted < best.inverted:
             best = attempt
-        if not best.turned:
+        if not best.inverted:
             break
     assert best is not None
     rest, placed = best.layout.points, best.placed
@@ -239,22 +239,22 @@ def _attempts(
         yield coarse[-1]
     if not refine:
         return
-    for attempt in sorted(coarse, key=lambda attempt: attempt.turned):
+    for attempt in sorted(coarse, key=lambda attempt: attempt.inverted):
         fine.append(attempt.refined())
         yield fine[-1]
-    shares = [attempt.turned / len(attempt.layout.triangles) for attempt in coarse + fine]
+    shares = [attempt.inverted / len(attempt.layout.triangles) for attempt in coarse + fine]
     if min(shares) > TOLERATED:
-        best = min(fine, key=lambda attempt: attempt.turned)
+        best = min(fine, key=lambda attempt: attempt.inverted)
         yield _Attempt.at(best.layout, best.nodes, best.swapped, patient=True)
 
 
 def _thin(corners: Points) -> Mask:
-    """Which triangles (T, 3, 2) are turned over or almost without area."""
+    """Which triangles (T, 3, 2) are inverted or almost without area."""
     longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(-1).max(axis=1)
     return np.asarray(polygon_area(corners) <= LEAST_ASPECT * longest)
 
 
-def _leads(first: Points, second: Points, edges: Index) -> bool:
+def _is_base(first: Points, second: Points, edges: Index) -> bool:
     """Whether the first of two normalised shapes is the one to build on.
 
     Decided by measures that no similarity changes, so that time can run backwards: the length of

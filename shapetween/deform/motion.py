@@ -1,4 +1,4 @@
-"""The motion of a plane mesh: every triangle turns and stretches as evenly as the others let it.
+"""The motion of an ambient mesh: every triangle turns and stretches as evenly as the others let it.
 
 For every triangle there is a wanted Jacobian J_t, the identity at 0 and J at 1. The vertices x at
 t are those of least
@@ -10,7 +10,7 @@ where J_A and J_B are the Jacobians of x on the triangle's source and target, a 
 R a rotation of each triangle's own, l the wanted length of an outline's edge and u its direction.
 R and u are found in turns with x, as in [SA07]_, and J_t of the inside is scaled as a whole so
 that the area of the shape keeps to its path. Inside triangles have weight 1 and outside ones
-less: the outside is a cushion that keeps parts from passing through each other. At the ends all
+less: the outside keeps parts from passing through each other. At the ends all
 terms are zero at once, so they are met exactly; backwards in time the energy is the same.
 
 .. [SA07] O. Sorkine, M. Alexa, *As-rigid-as-possible surface modeling*, SGP 2007.
@@ -27,17 +27,17 @@ from shapetween.base.arrays import Complex, Floats, Index, Points, times
 from shapetween.deform.banded import BandSystem
 from shapetween.deform.jacobians import gradients, jacobians, polar_path, spread_angles
 from shapetween.deform.layout import ring_edges
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.deform.triangulate import triangle_edges
 from shapetween.geometry.linearmaps import LinearMaps, as_complex, squared
 
-__all__ = ["InsideTarget", "PlaneMotion", "Stiffness"]
+__all__ = ["AmbientMotion", "InsideTarget", "Stiffness"]
 
 InsideTarget: TypeAlias = Callable[[Floats, LinearMaps], LinearMaps]
 """Wanted Jacobians of the inside triangles at times (F,), given what they would do by themselves;
 both of shape (F, T_inside), from pose to pose."""
 
-#: Weight of the linear blend that carries triangles which are turned over at an end. It only has to
+#: Weight of the linear blend that carries triangles which are inverted at an end. It only has to
 #: keep the system regular.
 BLEND_WEIGHT = 1e-3
 #: Rounds of finding rotations and vertices in turns. More come nearer to the least energy; fewer
@@ -73,17 +73,17 @@ class Stiffness:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PlaneMotion:
+class AmbientMotion:
     """A mesh prepared to move; `vertices` asks it for times.
 
     Attributes
     ----------
-    mesh : PlaneMesh
+    mesh : AmbientMesh
     target : InsideTarget or None
         What the inside triangles should do; by default they turn and stretch evenly.
     """
 
-    mesh: PlaneMesh
+    mesh: AmbientMesh
     target: InsideTarget | None
     _ends: tuple[Complex, Complex]
     _jacobians: LinearMaps
@@ -96,10 +96,10 @@ class PlaneMotion:
     @classmethod
     def prepare(
         cls,
-        mesh: PlaneMesh,
+        mesh: AmbientMesh,
         stiffness: Stiffness | None = None,
         target: InsideTarget | None = None,
-    ) -> "PlaneMotion":
+    ) -> "AmbientMotion":
         """Compute all that does not depend on time."""
         stiffness = stiffness or Stiffness()
         ends = (
@@ -108,28 +108,28 @@ class PlaneMotion:
         )
         corners = [points[mesh.triangles] for points in ends]
         for half in corners:
-            half[mesh.turned] = _ANY_TRIANGLE
+            half[mesh.inverted] = _ANY_TRIANGLE
         (hats_a, areas_a), (hats_b, areas_b) = gradients(corners[0]), gradients(corners[1])
         whole, body = jacobians(hats_a, corners[1]), LinearMaps.of(mesh.body.matrix)
         whole = LinearMaps(
-            np.where(mesh.turned, body.a, whole.a), np.where(mesh.turned, body.b, whole.b)
+            np.where(mesh.inverted, body.a, whole.a), np.where(mesh.inverted, body.b, whole.b)
         )
         angles = mesh.body.angle + spread_angles(
             whole.turned(np.exp(-1j * np.asarray(mesh.body.angle))).angles,
             mesh.triangles,
             areas_a + areas_b,
             mesh.inside,
-            ~mesh.turned,
+            ~mesh.inverted,
         )
         # A large triangle far outside counts no more than a usual one inside, or the emptiness
         # about a thin shape would hold it.
         sizes = np.sqrt(areas_a * areas_b)
         usual = sizes[mesh.inside].mean()
         outer = stiffness.outside * np.minimum(1, usual / sizes)
-        weights = np.where(mesh.inside, 1.0, outer) * ~mesh.turned
+        weights = np.where(mesh.inside, 1.0, outer) * ~mesh.inverted
         weights_a, weights_b = weights * areas_a, weights * areas_b
         pull_a, pull_b = weights_a[:, None] * hats_a, weights_b[:, None] * hats_b
-        blend = BLEND_WEIGHT * mesh.turned[:, None, None] * _UNIFORM
+        blend = BLEND_WEIGHT * mesh.inverted[:, None, None] * _UNIFORM
         edges = _Edges.of(mesh, ends, angles, stiffness.length)
         fixed = np.zeros(len(mesh.source), dtype=bool)
         fixed[mesh.frame] = True
@@ -161,7 +161,7 @@ class PlaneMotion:
         # turns this, and the sum over its corners of x times the conjugate tells which fits.
         forces = wanted[..., None](pulls)
         against = forces.conj()
-        blend = (BLEND_WEIGHT * linear[:, mesh.triangles[mesh.turned]]) @ _UNIFORM
+        blend = (BLEND_WEIGHT * linear[:, mesh.triangles[mesh.inverted]]) @ _UNIFORM
         prior = PRIOR * self._norms(wanted, t)
         lengths, areas = self._edges.lengths(body, t), self._areas(body, t)
         wanted_edges = lengths * _unit(self._edges.directions(wanted, t))
@@ -175,7 +175,7 @@ class PlaneMotion:
                 turns = _unit(fitting + prior) * np.where(mesh.inside, grown[:, None], 1)
                 edges = lengths * _unit(self._edges.between(at) + EDGE_PRIOR * wanted_edges)
             parts = turns[..., None] * forces
-            parts[:, mesh.turned] = blend
+            parts[:, mesh.inverted] = blend
             at = solve(np.concatenate([parts, self._edges.parts(edges)], axis=1))
         return at
 
@@ -215,7 +215,7 @@ class _Edges:
     beside : (N,) intp
         The inside triangle beside each.
     angles : (N,) float64
-        Where that triangle is turned over, the angle each edge turns by; else not a number.
+        Where that triangle is inverted, the angle each edge turns by; else not a number.
     body : () linear map
         Where the motion of the whole ends.
     """
@@ -230,7 +230,7 @@ class _Edges:
 
     @classmethod
     def of(
-        cls, mesh: PlaneMesh, ends: tuple[Complex, Complex], angles: Floats, weight: float
+        cls, mesh: AmbientMesh, ends: tuple[Complex, Complex], angles: Floats, weight: float
     ) -> "_Edges":
         """Edges of a mesh's rings, all of one weight, given the triangles' angles (T,)."""
         edges = ring_edges(mesh.rings)
@@ -240,10 +240,10 @@ class _Edges:
         beside = np.where(mesh.inside[sides[:, 0]], sides[:, 0], sides[:, 1])
         start, end = (points[edges[:, 1]] - points[edges[:, 0]] for points in ends)
         place = np.arange(len(edges), dtype=np.float64)
-        sound = ~mesh.turned[beside]
+        valid = ~mesh.inverted[beside]
         near = angles[beside]
-        if sound.any():
-            near = np.interp(place, place[sound], near[sound], period=len(edges))
+        if valid.any():
+            near = np.interp(place, place[valid], near[valid], period=len(edges))
         block = weight * np.array([[1.0, -1.0, 0.0], [-1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
         return cls(
             np.pad(edges, ((0, 0), (0, 1)), constant_values=-1),
@@ -251,7 +251,7 @@ class _Edges:
             start,
             end,
             beside,
-            np.where(mesh.turned[beside], _edge_angles(start, end, near), np.nan),
+            np.where(mesh.inverted[beside], _edge_angles(start, end, near), np.nan),
             LinearMaps.of(mesh.body.matrix),
         )
 

@@ -22,7 +22,7 @@ __all__ = ["constrained_delaunay", "split_edges", "triangle_edges"]
 Edge = tuple[int, int]
 
 #: Twice the area, over the square of the extent, below which three points lie on a line. Smaller
-#: is rounding error; larger refuses thin but sound outlines.
+#: is rounding error; larger refuses thin but valid outlines.
 ROUNDING = 1e-13
 
 

@@ -1,11 +1,11 @@
-"""Placing the free vertices of a triangulation so that no triangle is turned over.
+"""Placing the free vertices of a triangulation so that no triangle is inverted.
 
 The energy is that of [GKKDU21]_: distortion over a regularised determinant,
 
     sum_T w_T (|J|^2 + 1 + det^2 J) / (2 chi(det J, eps)),
     chi(d, eps) = (d + sqrt(d^2 + eps^2)) / 2,
 
-finite for turned triangles while eps > 0. It is lowered by Newton steps whose Hessian is made
+finite for inverted triangles while eps > 0. It is lowered by Newton steps whose Hessian is made
 positive triangle by triangle in closed form [SdGK19]_, one step for every eps, while eps follows
 the worst determinant down.
 
@@ -35,11 +35,11 @@ EPS_DECREASE, PATIENT_DECREASE = 0.3, 0.2
 SETTLED = 0.8
 #: First eps, as a share of the worst determinant.
 FIRST_EPS = 0.2
-#: eps once no triangle is turned over, and where a hopeless search ends.
+#: eps once no triangle is inverted, and where a hopeless search ends.
 LAST_EPS = 1e-7
-#: Steps without fewer turned triangles after which the search ends, usually and with patience.
+#: Steps without fewer inverted triangles after which the search ends, usually and with patience.
 IMPATIENCE, PATIENCE = 20, 30
-#: Steps that even out a mesh without turned triangles. Fewer leave slivers, which make the motion
+#: Steps that even out a mesh without inverted triangles. Fewer leave slivers, which make the motion
 #: stiff where they lie; more take time.
 SMOOTHING_STEPS = 6
 #: Steps at most.
@@ -59,7 +59,7 @@ class Untangler:
     triangles : (T, 3) intp
     free : (U,) intp
         Vertices to place, in the order of the unknowns.
-    hats : (T, 3) complex128
+    shape_gradients : (T, 3) complex128
         Gradients on the rest shapes.
     areas : (T,) float64
         Areas of the rest shapes.
@@ -67,7 +67,7 @@ class Untangler:
 
     triangles: Index
     free: Index
-    hats: Complex
+    shape_gradients: Complex
     areas: Floats
     _weights: Floats
     _single: BandPattern
@@ -76,14 +76,14 @@ class Untangler:
     @classmethod
     def of(cls, rest: Points, triangles: Index, fixed: Mask) -> "Untangler":
         """Prepare for rest positions (V, 2), all triangles positive, and fixed vertices (V,)."""
-        hats, areas = gradients(as_complex(rest)[triangles])
+        shape_gradients, areas = gradients(as_complex(rest)[triangles])
         # Small triangles matter more than their area, or they are crushed first.
         root = np.sqrt(areas)
         elements, free = numbered(triangles, fixed)
         pairs = 2 * elements[:, :, None] + np.arange(2)
         pairs = np.where(elements[:, :, None] >= 0, pairs, -1).reshape(-1, 6)
         single, double = BandPattern.of(elements, len(free)), BandPattern.of(pairs, 2 * len(free))
-        return cls(triangles, free, hats, areas, root / root.sum(), single, double)
+        return cls(triangles, free, shape_gradients, areas, root / root.sum(), single, double)
 
     def harmonic(self, points: Points) -> Points:
         """Place the free vertices harmonically on the rest shape; affine maps come out exactly.
@@ -93,7 +93,10 @@ class Untangler:
         points : (V, 2) float64
             Only the fixed vertices are read.
         """
-        stiffness = ((self.areas[:, None] * self.hats)[:, :, None] * self.hats.conj()[:, None]).real
+        stiffness = (
+            (self.areas[:, None] * self.shape_gradients)[:, :, None]
+            * self.shape_gradients.conj()[:, None]
+        ).real
         known = points.copy()
         known[self.free] = 0
         pull = stiffness @ known[self.triangles]
@@ -106,7 +109,7 @@ class Untangler:
         return self._maps(as_complex(points)).determinants
 
     def untangle(self, points: Points, *, patient: bool = False) -> tuple[Points, int]:
-        """Lower the energy until no triangle is turned over, then even the mesh out a little.
+        """Lower the energy until no triangle is inverted, then even the mesh out a little.
 
         Parameters
         ----------
@@ -117,9 +120,9 @@ class Untangler:
         Returns
         -------
         points : (V, 2) float64
-            Those with the fewest turned triangles met, or the last without any.
-        turned : int
-            How many triangles are turned over in it.
+            Those with the fewest inverted triangles met, or the last without any.
+        inverted : int
+            How many triangles are inverted in it.
         """
         decrease = PATIENT_DECREASE if patient else EPS_DECREASE
         patience = PATIENCE if patient else IMPATIENCE
@@ -133,16 +136,16 @@ class Untangler:
             if moved is None:
                 break
             state, after = moved
-            worst, turned = state.determinants.min(), int((state.determinants <= 0).sum())
-            if turned == 0:
+            worst, inverted = state.determinants.min(), int((state.determinants <= 0).sum())
+            if inverted == 0:
                 best = (0, state.points)
                 smoothed += 1
                 eps = LAST_EPS
                 if smoothed > SMOOTHING_STEPS:
                     break
                 continue
-            waited = 0 if turned < best[0] else waited + 1
-            best = min(best, (turned, state.points), key=lambda pair: pair[0])
+            waited = 0 if inverted < best[0] else waited + 1
+            best = min(best, (inverted, state.points), key=lambda pair: pair[0])
             if after > SETTLED * before:
                 eps = min(eps, _next_eps(eps, worst, decrease))
             if waited >= patience or eps < LAST_EPS:
@@ -150,7 +153,7 @@ class Untangler:
         return as_points(best[1]), best[0]
 
     def _maps(self, points: Complex) -> LinearMaps:
-        return jacobians(self.hats, points[self.triangles])
+        return jacobians(self.shape_gradients, points[self.triangles])
 
     def _state(self, points: Complex) -> "_State":
         maps = self._maps(points)
@@ -163,7 +166,7 @@ class Untangler:
 
     def _step(self, state: "_State", eps: float, before: float) -> "tuple[_State, float] | None":
         """One Newton step with a line search: new state and energy, or None if none is lower."""
-        forces, blocks = _newton(state, eps, self.hats)
+        forces, blocks = _newton(state, eps, self.shape_gradients)
         slope = self._double.vector(self._weights[:, None] * forces)
         band = self._double.band(self._weights[:, None, None] * blocks)
         if not np.isfinite(slope).all():
@@ -208,7 +211,7 @@ def _next_eps(eps: float, worst: float, decrease: float) -> float:
     return 2 * float(np.sqrt(bound * (bound - worst))) if worst < bound else LAST_EPS
 
 
-def _newton(state: _State, eps: float, hats: Complex) -> tuple[Floats, Floats]:
+def _newton(state: _State, eps: float, shape_gradients: Complex) -> tuple[Floats, Floats]:
     """Gradients (T, 6) and positive Hessians (T, 6, 6) of each triangle's energy by its corners.
 
     With n = |J|^2 and d = det J the energy is f(n, d). In p = |a| and q = |b| of the map
@@ -224,9 +227,9 @@ def _newton(state: _State, eps: float, hats: Complex) -> tuple[Floats, Floats]:
     f_d = det / chi - half * first / chi**2
     f_dd = 1 / chi - (2 * det * first + half * second) / chi**2 + 2 * half * first**2 / chi**3
 
-    a, b, conjugate = state.maps.a[:, None], state.maps.b[:, None], hats.conj()
+    a, b, conjugate = state.maps.a[:, None], state.maps.b[:, None], shape_gradients.conj()
     twist, flip = 4 * f_n + 2 * f_d, 4 * f_n - 2 * f_d
-    forces = (twist[:, None] * a * hats + flip[:, None] * b * conjugate) / 2
+    forces = (twist[:, None] * a * shape_gradients + flip[:, None] * b * conjugate) / 2
 
     p, q = np.abs(a), np.abs(b)
     pp, qq = p[:, 0] ** 2, q[:, 0] ** 2
@@ -239,7 +242,7 @@ def _newton(state: _State, eps: float, hats: Complex) -> tuple[Floats, Floats]:
     apart = (high - low) / (2 * np.where(spread > 0, spread, 1.0))
     middle, tilt, h_pq = (high + low) / 2, apart * (h_pp - h_qq) / 2, apart * h_pq
 
-    along_a = hats * (a / np.where(p > 0, p, 1.0) + (p == 0)) / 2
+    along_a = shape_gradients * (a / np.where(p > 0, p, 1.0) + (p == 0)) / 2
     along_b = conjugate * (b / np.where(q > 0, q, 1.0) + (q == 0)) / 2
     rows = np.stack([along_a, along_b, 1j * along_a, 1j * along_b], axis=1)
     by_p = (middle + tilt)[:, None] * along_a + h_pq[:, None] * along_b

@@ -11,7 +11,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.deform.check import simple_frames
 from shapetween.deform.layout import ring_edges
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.polygon import polygon_area
@@ -196,11 +196,11 @@ class Carried:
     crossing : int
         At how many of the `checked` times the drawn curves cross.
     checked : int
-    mended : bool
-        Whether folds were found and mended.
+    repaired : bool
+        Whether inversions were found and repaired.
     setting : str
         What moves the nodes.
-    led : float
+    quad_share : float
         Share of the inside that follows a quad.
     detail : bool
         Whether all that crosses is fine detail; the coarse shapes do not.
@@ -212,9 +212,9 @@ class Carried:
     path: VertexPath
     crossing: int
     checked: int
-    mended: bool
+    repaired: bool
     setting: str
-    led: float
+    quad_share: float
     detail: bool = False
     bare: bool = False
 
@@ -230,11 +230,11 @@ class Carried:
     def inside(self, t: Floats) -> tuple[Points, Floats]:
         """Places all over the inside that move along, (F, N, 2), and the area about each, (N,).
 
-        Of a body without a plane around it, places along its outlines, and their lengths.
+        Of a body without an ambient mesh, places along its outlines, and their lengths.
         """
         vertices = self.path.vertices(t)
         mesh = getattr(self.path, "mesh", None)
-        if isinstance(mesh, PlaneMesh):
+        if isinstance(mesh, AmbientMesh):
             faces = mesh.triangles[mesh.inside]
             return vertices[:, faces].mean(axis=2), np.abs(polygon_area(mesh.source[faces]))
         edges = ring_edges([np.arange(part.start, part.stop) for part in self.nodes.parts])

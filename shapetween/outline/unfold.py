@@ -1,8 +1,8 @@
-"""Moving a body's nodes so that nothing folds: the whole plane moves along, and is checked.
+"""Moving an outline's nodes so that nothing folds: an ambient mesh moves along, and is checked.
 
-The quads lead the inside of a mesh of the whole plane, whose outside keeps parts from passing
-through each other. The drawn curves are looked at all along the movement; where they cross, the
-plane is made stiffer, then the nodes denser, one setting for the whole movement.
+The quads give target Jacobians to the inside of a mesh of the whole plane, whose outside keeps
+parts from passing through each other. The drawn curves are checked all along the movement; where
+they cross, the mesh is made stiffer, then the nodes denser, one setting for the whole movement.
 """
 
 from collections.abc import Iterator, Sequence
@@ -13,16 +13,16 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index, Points
 from shapetween.base.errors import MeshError, OutlineError
 from shapetween.deform.check import simple_frames
-from shapetween.deform.ladder import CHECKED_TIMES, SettledMotion, settle
-from shapetween.deform.mesh import PlaneMesh, plane_mesh
+from shapetween.deform.mesh import AmbientMesh, ambient_mesh
+from shapetween.deform.schedule import CHECKED_TIMES, SolvedMotion, solve
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import linear_between, rotations
 from shapetween.interpolate import Tween, tween
 from shapetween.mesh.pair import MeshPair
 from shapetween.outline.body import Carried, Nodes, RingMatch, joined_meshes
 from shapetween.outline.carry import affine_between
-from shapetween.outline.guide import QuadGuide
 from shapetween.outline.nodes import outline_nodes
+from shapetween.outline.quad_target import QuadJacobianTarget
 
 __all__ = ["MOST_NODES", "TOLERANCES", "bare", "unfolded"]
 
@@ -30,11 +30,11 @@ __all__ = ["MOST_NODES", "TOLERANCES", "bare", "unfolded"]
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.
 TOLERANCES = (0.03, 0.012, 0.005)
 
-#: Nodes of a body past which its plane takes long, and what the first tolerance is then multiplied
+#: Nodes past which an ambient mesh takes long, and what the first tolerance is then multiplied
 #: by to come near as many.
 MOST_NODES, COARSER = 220, (1.5, 2.5, 4.0)
 
-#: Times at which the whole detail of an outline of thousands of curves is looked at.
+#: Times at which the whole detail of an outline of thousands of curves is checked.
 DETAIL_TIMES = 21
 
 #: Stands in for triangles whose own shape cannot be used.
@@ -109,59 +109,61 @@ def _settings(
             for ring, part in zip(rings, nodes.parts, strict=True)
         ]
         try:
-            mesh = plane_mesh(*nodes.ends, loops)
+            mesh = ambient_mesh(*nodes.ends, loops)
         except (MeshError, OutlineError):
             continue
-        guide, led = _guide(mesh, pair, method)
+        target, quad_share = _quad_target(mesh, pair, method)
         if any(ring.coarse for ring in rings):
-            yield _with_detail(nodes, settle(mesh, None, guide), method, led)
+            yield _with_detail(nodes, solve(mesh, None, target), method, quad_share)
             return
-        settled = settle(mesh, nodes.simple, guide, denser=tolerance != tolerances[-1])
-        stiffness = settled.stiffness
+        solved = solve(mesh, nodes.simple, target, denser=tolerance != tolerances[-1])
+        stiffness = solved.stiffness
         setting = (
-            f"{method} in the plane: nodes within {tolerance:g}, outside {stiffness.outside:g}, "
-            f"length {stiffness.length:g}"
+            f"{method} in an ambient mesh: nodes within {tolerance:g}, "
+            f"outside {stiffness.outside:g}, length {stiffness.length:g}"
         )
-        inner = (settled.crossing > 0) & (settled.crossing < 1)
+        inner = (solved.crossing > 0) & (solved.crossing < 1)
         yield Carried(
             nodes,
-            settled.motion,
+            solved.motion,
             int(inner.sum()),
             CHECKED_TIMES - 2,  # the ends are the drawings themselves, whatever they do
-            settled.mended,
+            solved.repaired,
             setting,
-            led,
+            quad_share,
         )
-        # Where the plane stays tangled more nodes cost seconds and tangle it again.
-        if mesh.turned.any():
+        # Where the mesh stays tangled more nodes cost seconds and tangle it again.
+        if mesh.inverted.any():
             return
 
 
-def _with_detail(nodes: Nodes, settled: SettledMotion, method: str, led: float) -> Carried:
+def _with_detail(nodes: Nodes, solved: SolvedMotion, method: str, quad_share: float) -> Carried:
     """A motion that keeps coarse shapes from crossing, and what their detail does on it."""
     t = np.linspace(0, 1, DETAIL_TIMES)
-    crossing = int((~nodes.simple(t, settled.motion.vertices(t))[1:-1]).sum())
+    crossing = int((~nodes.simple(t, solved.motion.vertices(t))[1:-1]).sum())
     setting = (
-        f"{method} in the plane: coarse shapes, outside {settled.stiffness.outside:g}, "
-        f"length {settled.stiffness.length:g}"
+        f"{method} in an ambient mesh: coarse shapes, outside {solved.stiffness.outside:g}, "
+        f"length {solved.stiffness.length:g}"
     )
-    coarse = ((settled.crossing > 0) & (settled.crossing < 1)).any()
+    coarse = ((solved.crossing > 0) & (solved.crossing < 1)).any()
     return Carried(
         nodes,
-        settled.motion,
+        solved.motion,
         crossing,
         DETAIL_TIMES - 2,
-        settled.mended,
+        solved.repaired,
         setting,
-        led,
+        quad_share,
         detail=crossing > 0 and not coarse,
     )
 
 
-def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | None, float]:
-    """What the quads ask of the plane mesh's inside, and of how much of it.
+def _quad_target(
+    mesh: AmbientMesh, pair: MeshPair, method: str
+) -> tuple[QuadJacobianTarget | None, float]:
+    """What the quads want of the inside of the ambient mesh, and of how much of it.
 
-    The plane mesh moves between the poses of the two shapes, so the quads are moved between the
+    The ambient mesh moves between the poses of the two shapes, so the quads are moved between the
     same poses: an affine pair then asks the same of both.
     """
     sizes = [pose.size for pose in mesh.poses]
@@ -170,13 +172,13 @@ def _guide(mesh: PlaneMesh, pair: MeshPair, method: str) -> tuple[QuadGuide | No
         points[mesh.triangles[mesh.inside]] / size
         for points, size in zip((mesh.source, mesh.target), sizes, strict=True)
     ]
-    for half in corners:  # triangles turned over are led nowhere, and must not be in the way
-        half[mesh.turned[mesh.inside]] = ANY_TRIANGLE
-    guide = QuadGuide.of(posed, tween(posed, method), *corners)
-    if guide is None:
+    for half in corners:  # inverted triangles follow nothing, and must not be in the way
+        half[mesh.inverted[mesh.inside]] = ANY_TRIANGLE
+    target = QuadJacobianTarget.of(posed, tween(posed, method), *corners)
+    if target is None:
         return None, 0.0
     areas = np.abs(polygon_area(corners[0]))
-    return guide, float(areas[guide.follows].sum() / areas.sum())
+    return target, float(areas[target.follows].sum() / areas.sum())
 
 
 def bare(rings: Sequence[RingMatch], method: str) -> Carried:

@@ -235,7 +235,7 @@ def _piece(body: Carried, method: str, fits: Sequence[Affine], fit: Affine) -> P
         source, target = mapped(pair.source, fits[0]), _back(pair.target, fits[1], fit)
         return Piece(MeshPair(source, target, pair.quads, pair.triangles))
     mesh = dense.path.mesh
-    used, triangles = np.unique(mesh.triangles[mesh.inside & ~mesh.turned], return_inverse=True)
+    used, triangles = np.unique(mesh.triangles[mesh.inside & ~mesh.inverted], return_inverse=True)
     pair = MeshPair(
         mapped(mesh.source[used], fits[0]),
         _back(mesh.target[used], fits[1], fit),

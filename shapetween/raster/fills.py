@@ -164,7 +164,7 @@ def _mesh(part: Part, whole: int) -> tuple[VertexPath, Index]:
     first = np.cumsum([0, *(len(mesh.source) for mesh in meshes)]).tolist()
     triangles = []
     for mesh, start in zip(meshes, first, strict=False):
-        kept = ~mesh.turned
+        kept = ~mesh.inverted
         if len(meshes) > 1:
             # Planes of several bodies lie over one another, so each shows its body and its edge.
             kept &= mesh.inside | (mesh.triangles < mesh.nodes).any(axis=1)

@@ -5,7 +5,7 @@ import pytest
 
 from shapetween.attach.planes import AffinePlane, Finder, MeshPlane
 from shapetween.base.arrays import Floats, Points
-from shapetween.deform.mesh import PlaneMesh, plane_mesh
+from shapetween.deform.mesh import AmbientMesh, ambient_mesh
 from tests.strategies import rotation
 
 T = np.linspace(0, 1, 9)
@@ -16,7 +16,7 @@ BENT = np.array([[10.0, 1], [13, 0], [15, 6], [9, 3]])
 class Straight:
     """Vertices that go straight."""
 
-    def __init__(self, mesh: PlaneMesh) -> None:
+    def __init__(self, mesh: AmbientMesh) -> None:
         self.mesh = mesh
         self.asked = 0
 
@@ -27,25 +27,25 @@ class Straight:
 
 
 @pytest.fixture(scope="module")
-def mesh() -> PlaneMesh:
-    return plane_mesh(SQUARE, BENT)
+def mesh() -> AmbientMesh:
+    return ambient_mesh(SQUARE, BENT)
 
 
 @pytest.mark.parametrize("arrives", [False, True])
-def test_points_are_at_home_at_their_own_end(mesh: PlaneMesh, arrives: bool) -> None:
+def test_points_are_at_home_at_their_own_end(mesh: AmbientMesh, arrives: bool) -> None:
     nodes = BENT if arrives else SQUARE
     inside = np.random.default_rng(1).dirichlet(np.ones(4), 30) @ nodes
     held = MeshPlane(mesh, Straight(mesh)).hold(inside, arrives)
     np.testing.assert_allclose(held.at(np.array([float(arrives)]))[0], inside, atol=1e-12)
 
 
-def test_nodes_go_where_the_mesh_takes_them(mesh: PlaneMesh) -> None:
+def test_nodes_go_where_the_mesh_takes_them(mesh: AmbientMesh) -> None:
     plane = MeshPlane(mesh, Straight(mesh))
     np.testing.assert_allclose(plane.hold(SQUARE, False).at(np.ones(1))[0], BENT, atol=1e-9)
     np.testing.assert_allclose(plane.hold(BENT, True).at(np.zeros(1))[0], SQUARE, atol=1e-9)
 
 
-def test_a_plane_is_solved_once_for_all_that_ride(mesh: PlaneMesh) -> None:
+def test_a_plane_is_solved_once_for_all_that_ride(mesh: AmbientMesh) -> None:
     path = Straight(mesh)
     plane = MeshPlane(mesh, path)
     for arrives in (False, True):
@@ -54,7 +54,7 @@ def test_a_plane_is_solved_once_for_all_that_ride(mesh: PlaneMesh) -> None:
 
 
 @pytest.mark.parametrize("arrives", [False, True])
-def test_what_lies_beyond_the_mesh_goes_with_the_whole(mesh: PlaneMesh, arrives: bool) -> None:
+def test_what_lies_beyond_the_mesh_goes_with_the_whole(mesh: AmbientMesh, arrives: bool) -> None:
     far = np.array([[1000.0, -500.0]])
     frames = MeshPlane(mesh, Straight(mesh)).hold(far, arrives).at(T)
     np.testing.assert_allclose(frames[-1 if arrives else 0], far)
@@ -64,7 +64,7 @@ def test_what_lies_beyond_the_mesh_goes_with_the_whole(mesh: PlaneMesh, arrives:
 
 
 @pytest.mark.parametrize("arrives", [False, True])
-def test_every_point_is_found_in_its_triangle(mesh: PlaneMesh, arrives: bool) -> None:
+def test_every_point_is_found_in_its_triangle(mesh: AmbientMesh, arrives: bool) -> None:
     """Against looking at all triangles."""
     vertices = mesh.target if arrives else mesh.source
     low, high = vertices.min(axis=0), vertices.max(axis=0)
@@ -73,7 +73,7 @@ def test_every_point_is_found_in_its_triangle(mesh: PlaneMesh, arrives: bool) ->
     np.testing.assert_allclose(weights.sum(axis=1), 1)
     place = np.einsum("pk,pkd->pd", weights, vertices[corners])
     np.testing.assert_allclose(place, points, atol=1e-9)
-    sound = mesh.triangles[~mesh.turned]
+    sound = mesh.triangles[~mesh.inverted]
     a, b, c = np.moveaxis(vertices[sound], 1, 0)
     matrices = np.stack([b - a, c - a], axis=-1)
     local = np.linalg.solve(matrices, (points[:, None] - a)[..., None])[..., 0]

@@ -12,10 +12,12 @@ TRIANGLE = np.array([[[0.3, 0.1], [2.0, 0.5], [0.9, 1.7]]])
 
 @given(affine_maps())
 def test_the_jacobian_of_an_affine_map_is_its_matrix(affine: Floats) -> None:
-    hats, areas = gradients(as_complex(TRIANGLE))
+    shape_gradients, areas = gradients(as_complex(TRIANGLE))
     np.testing.assert_allclose(areas, 1.24)
     moved = as_complex(TRIANGLE @ affine[:, :2].T + affine[:, 2])
-    np.testing.assert_allclose(jacobians(hats, moved).matrices[0], affine[:, :2], atol=1e-12)
+    np.testing.assert_allclose(
+        jacobians(shape_gradients, moved).matrices[0], affine[:, :2], atol=1e-12
+    )
 
 
 @given(affine_maps(), st.floats(0, 1), st.integers(-1, 1))

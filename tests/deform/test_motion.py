@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from shapetween.base.arrays import Floats, Points
 from shapetween.deform.check import simple_frames
 from shapetween.deform.jacobians import gradients, jacobians
-from shapetween.deform.mesh import plane_mesh
-from shapetween.deform.motion import PlaneMotion, Stiffness
+from shapetween.deform.mesh import ambient_mesh
+from shapetween.deform.motion import AmbientMotion, Stiffness
 from shapetween.geometry.linearmaps import LinearMaps, as_complex
 from shapetween.geometry.polygon import polygon_area
 from shapetween.geometry.rotation import rotations
@@ -22,7 +22,7 @@ def _size(points: Points) -> float:
 
 
 def _nodes(source: Points, target: Points, t: Floats = T) -> Points:
-    motion = PlaneMotion.prepare(plane_mesh(source, target))
+    motion = AmbientMotion.prepare(ambient_mesh(source, target))
     return motion.vertices(t)[:, : len(source)]
 
 
@@ -123,14 +123,14 @@ def test_a_hole_stays_in_its_shape_and_parts_stay_apart() -> None:
         (ring_with_hole(-0.55)[0], ring_with_hole(0.55)[0], ring_with_hole(0.0)[1]),
         (two_discs(0.0)[0], two_discs(2.5)[0], two_discs(0.0)[1]),
     ):
-        mesh = plane_mesh(nodes, target, rings)
-        moved = PlaneMotion.prepare(mesh).vertices(t)[:, : len(nodes)]
+        mesh = ambient_mesh(nodes, target, rings)
+        moved = AmbientMotion.prepare(mesh).vertices(t)[:, : len(nodes)]
         assert simple_frames(moved, tuple(len(ring) for ring in rings)).all()
 
 
 def test_the_inside_follows_a_target() -> None:
     source = np.array([[-2.0, -1.0], [2.0, -1.0], [2.0, 1.0], [-2.0, 1.0]])
-    mesh = plane_mesh(source, 3 * source)
+    mesh = ambient_mesh(source, 3 * source)
     count = int(mesh.inside.sum())
 
     def swing(t: Floats, own: LinearMaps) -> LinearMaps:
@@ -138,9 +138,9 @@ def test_the_inside_follows_a_target() -> None:
         return own.turned(np.exp(0.8j * np.sin(np.pi * t))[:, None])
 
     weak = Stiffness(outside=1e-6, length=1e-6)
-    moved = PlaneMotion.prepare(mesh, weak, swing).vertices(T)
-    hats, _ = gradients(as_complex(mesh.source[mesh.triangles[mesh.inside]]))
-    got = jacobians(hats, as_complex(moved[:, mesh.triangles[mesh.inside]])).matrices
+    moved = AmbientMotion.prepare(mesh, weak, swing).vertices(T)
+    shape_gradients, _ = gradients(as_complex(mesh.source[mesh.triangles[mesh.inside]]))
+    got = jacobians(shape_gradients, as_complex(moved[:, mesh.triangles[mesh.inside]])).matrices
     want = (1 + 2 * T)[:, None, None] * rotations(0.8 * np.sin(np.pi * T))
     np.testing.assert_allclose(got, np.broadcast_to(want[:, None], got.shape), atol=0.02)
 

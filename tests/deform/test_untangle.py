@@ -51,7 +51,9 @@ def test_newton_matrices_are_derivatives() -> None:
     x0 = (rest @ turn.T).ravel()
 
     def newton(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        forces, blocks = _newton(untangler._state(as_complex(x.reshape(3, 2))), 0.1, untangler.hats)
+        forces, blocks = _newton(
+            untangler._state(as_complex(x.reshape(3, 2))), 0.1, untangler.shape_gradients
+        )
         return forces[0], blocks[0]
 
     def energy(x: np.ndarray) -> float:

@@ -45,7 +45,7 @@ def test_a_bare_mesh_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     def failing(*_: object) -> None:
         raise MeshError("no mesh")
 
-    monkeypatch.setattr(unfold, "plane_mesh", failing)
+    monkeypatch.setattr(unfold, "ambient_mesh", failing)
     lean = ring([(10.0, 10), (70, 20), (60, 80), (20, 60)])
     prepared = prepare(drawing(square(10, 10, 50)), drawing(lean))
     assert "bare-mesh" in kinds(prepared.notices)

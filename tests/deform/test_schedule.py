@@ -1,12 +1,12 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats, Mask, Points
-from shapetween.deform.airmesh import mended as mended_at
 from shapetween.deform.check import simple_frames
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.deform.ladder import LADDER, settle
-from shapetween.deform.mesh import plane_mesh
-from shapetween.deform.motion import PlaneMotion, Stiffness
+from shapetween.deform.mesh import ambient_mesh
+from shapetween.deform.motion import AmbientMotion, Stiffness
+from shapetween.deform.repair import repair_inversions
+from shapetween.deform.schedule import STIFFNESS_SCHEDULE, solve
 from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.geometry.polygon import polygon_area
 from tests.deform.shapes import bowed_strip, comb
@@ -21,73 +21,73 @@ def _hooks(angle: float) -> tuple[Points, list[np.ndarray]]:
 
 
 def test_an_easy_motion_takes_the_first_rung() -> None:
-    settled = settle(plane_mesh(comb(4, -0.5), comb(4, 0.5)))
-    assert settled.stiffness is LADDER[0]
-    assert not settled.mended
-    assert not len(settled.crossing)
+    solved = solve(ambient_mesh(comb(4, -0.5), comb(4, 0.5)))
+    assert solved.stiffness is STIFFNESS_SCHEDULE[0]
+    assert not solved.repaired
+    assert not len(solved.crossing)
 
 
 def test_what_folds_is_mended_and_stays_smooth() -> None:
     strip = bowed_strip(0.0, 10)
     nodes = np.concatenate([strip + np.array([0.0, y]) for y in (-0.25, 0.25)])
     rings = [np.arange(20), np.arange(20, 40)]
-    mesh = plane_mesh(nodes, nodes, rings)
+    mesh = ambient_mesh(nodes, nodes, rings)
     above = mesh.source[mesh.triangles[mesh.inside]].mean(axis=1)[:, 1] < 0
 
     def clap(t: Floats, own: LinearMaps) -> LinearMaps:
         swing = 0.7 * np.sin(np.pi * t)[:, None]
         return own.turned(np.exp(1j * np.where(above, swing, -swing)))
 
-    solver = PlaneMotion.prepare(mesh, Stiffness(outside=1e-3, length=0.0), clap)
+    solver = AmbientMotion.prepare(mesh, Stiffness(outside=1e-3, length=0.0), clap)
     motion = KeyedMotion.of(mesh, solver.posed(np.linspace(0, 1, 21)))
     plain = motion.vertices(T)
     assert not simple_frames(plain[:, :40], (20, 20)).all()
-    mended = mended_at(motion, len(T))
-    moved = mended.vertices(T)
+    repaired = repair_inversions(motion, len(T))
+    moved = repaired.vertices(T)
     assert (polygon_area(moved[:, mesh.triangles]) > 0).all()
     np.testing.assert_array_equal(moved[[0, -1]], plain[[0, -1]])
     np.testing.assert_allclose(moved[:, mesh.frame], plain[:, mesh.frame], atol=1e-12)
-    fine = mended.nodes(np.linspace(0, 1, 161))
+    fine = repaired.nodes(np.linspace(0, 1, 161))
     assert simple_frames(fine, (20, 20)).all()
     jolts = [np.abs(np.diff(x[:, :40], 2, axis=0)).max() * 1600 for x in (plain, moved)]
     assert jolts[1] < 20 > jolts[0]
 
 
 def test_the_callers_look_decides() -> None:
-    mesh = plane_mesh(comb(4, -0.5), comb(4, 0.5))
+    mesh = ambient_mesh(comb(4, -0.5), comb(4, 0.5))
     seen: list[tuple[int, ...]] = []
 
     def never(t: Floats, vertices: Points) -> Mask:
         seen.append(vertices.shape)
         return np.asarray((t < 0.25) | (t > 0.25 + 0.01 * len(seen)))
 
-    settled = settle(mesh, never)
+    solved = solve(mesh, never)
     assert len(seen) == 2  # the nodes themselves do not cross: no other setting would help
-    assert settled.stiffness is LADDER[0]
-    np.testing.assert_allclose(settled.crossing, [0.25, 0.25625])
-    settle(mesh, never, denser=False)
-    assert len(seen) == 2 + 2 * len(LADDER)
+    assert solved.stiffness is STIFFNESS_SCHEDULE[0]
+    np.testing.assert_allclose(solved.crossing, [0.25, 0.25625])
+    solve(mesh, never, denser=False)
+    assert len(seen) == 2 + 2 * len(STIFFNESS_SCHEDULE)
 
 
 def test_what_is_looked_at_is_what_moves() -> None:
-    mesh = plane_mesh(comb(4, -1.5), comb(4, 1.5))
+    mesh = ambient_mesh(comb(4, -1.5), comb(4, 1.5))
     looked: list[Points] = []
 
     def look(t: Floats, nodes: Points) -> Mask:
         looked.append(nodes)
         return np.full(len(t), True)
 
-    settled = settle(mesh, look)
+    solved = solve(mesh, look)
     t = np.linspace(0, 1, len(looked[0]))
-    drawn = settled.motion.vertices(t)[:, : mesh.nodes]
+    drawn = solved.motion.vertices(t)[:, : mesh.nodes]
     np.testing.assert_allclose(looked[0], drawn, atol=1e-12 * np.ptp(drawn))
-    solved = PlaneMotion.prepare(mesh, settled.stiffness).vertices(t)[:, : mesh.nodes]
-    np.testing.assert_allclose(drawn, solved, atol=1e-4 * np.ptp(drawn))
+    exact = AmbientMotion.prepare(mesh, solved.stiffness).vertices(t)[:, : mesh.nodes]
+    np.testing.assert_allclose(drawn, exact, atol=1e-4 * np.ptp(drawn))
 
 
 def test_curled_strips_pass_each_other() -> None:
     nodes, rings = _hooks(2.5)
-    settled = settle(plane_mesh(nodes, _hooks(-2.5)[0], rings))
-    moved = settled.motion.vertices(np.linspace(0, 1, 161))[:, :40]
-    assert not len(settled.crossing)
+    solved = solve(ambient_mesh(nodes, _hooks(-2.5)[0], rings))
+    moved = solved.motion.vertices(np.linspace(0, 1, 161))[:, :40]
+    assert not len(solved.crossing)
     assert simple_frames(moved, (20, 20)).all()

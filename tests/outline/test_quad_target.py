@@ -6,7 +6,7 @@ from shapetween.base.arrays import Points
 from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.interpolate import tween
 from shapetween.mesh.pair import MeshPair
-from shapetween.outline.guide import QuadGuide, usable_quads
+from shapetween.outline.quad_target import QuadJacobianTarget, usable_quads
 from tests.strategies import grid
 
 T = np.linspace(0, 1, 7)
@@ -53,8 +53,8 @@ def test_backwards_the_same_is_asked(seed: int) -> None:
     pair = shaken(seed)
     source, target = triangles(seed)
     back = MeshPair(pair.target, pair.source, pair.quads)
-    forth = QuadGuide.of(pair, tween(pair, "projective"), source, target)
-    other = QuadGuide.of(back, tween(back, "projective"), target, source)
+    forth = QuadJacobianTarget.of(pair, tween(pair, "projective"), source, target)
+    other = QuadJacobianTarget.of(back, tween(back, "projective"), target, source)
     assert forth is not None
     assert other is not None
     np.testing.assert_array_equal(forth.follows, other.follows)
@@ -78,6 +78,6 @@ def test_of_quads_that_share_the_nearest_corner_the_first_leads() -> None:
     for _ in range(20):
         noisy = points + 1e-15 * random.normal(size=points.shape)
         pair = MeshPair(noisy, noisy, quads)
-        guide = QuadGuide.of(pair, tween(pair, "projective"), corner, corner)
-        assert guide is not None
-        assert guide._forth.leader.tolist() == [0]
+        target = QuadJacobianTarget.of(pair, tween(pair, "projective"), corner, corner)
+        assert target is not None
+        assert target._forth.followed.tolist() == [0]

@@ -1,7 +1,7 @@
-"""What the quads ask of a finer mesh inside them, at every time.
+"""Target Jacobians of a finer mesh, from the quads it lies in, at every time.
 
 A quad says how the plane moves within it: by the homography onto the place that alignment gives
-it. A triangle of the finer mesh is told to move with its quad, and to make good, evenly in time,
+it. A triangle of the finer mesh is to move with its quad, and to make good, evenly in time,
 the difference between where its quad takes it and where it ends. So it starts as it was, ends as
 it must, and follows the projective movement on the way.
 """
@@ -18,13 +18,13 @@ from shapetween.geometry.polygon import corner_sines
 from shapetween.interpolate import Tween
 from shapetween.mesh.pair import MeshPair
 
-__all__ = ["QuadGuide", "usable_quads"]
+__all__ = ["QuadJacobianTarget", "usable_quads"]
 
-#: Least corner sine, at both ends and on the way, and largest ratio of w, of a quad that guides.
-#: Worse ones throw what they carry about.
+#: Least corner sine, at both ends and on the way, and largest ratio of w, of a quad that is used.
+#: Worse ones throw about what follows them.
 LEAST_SINE, LARGEST_RATIO = 0.12, 6.0
 
-#: Even times at which a quad's shape, and at which its perspective, is looked at.
+#: Even times at which a quad's shape, and at which its perspective, is sampled.
 SHAPE_TIMES, RATIO_TIMES = 33, 5
 
 #: Most that a triangle may differ from its quad at the end: turn in radians, ratio of areas.
@@ -39,41 +39,43 @@ SAME = 1e-9
 
 
 def usable_quads(pair: MeshPair, tween: Tween) -> Mask:
-    """Which quads move well enough by their homographies to lead others, (Q,).
+    """Which quads move well enough by their homographies to be followed, (Q,).
 
-    Decided once for the whole movement: a quad that stopped leading half way would jolt.
+    Decided once for the whole movement: a quad given up half way would jolt.
     """
     moving = tween.vertices(np.linspace(0, 1, SHAPE_TIMES))[:, pair.quads]
     formed = (corner_sines(moving) > LEAST_SINE).all(axis=(0, 2))
-    looked = moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)]
-    # Seen from both ends, or backwards in time other quads would lead.
-    ends, looked = np.broadcast_arrays(looked[[0, -1], None], looked)
-    weights = corner_weights(ends, looked)
+    sampled = moving[:: (SHAPE_TIMES - 1) // (RATIO_TIMES - 1)]
+    # Seen from both ends, or backwards in time other quads would be used.
+    ends, sampled = np.broadcast_arrays(sampled[[0, -1], None], sampled)
+    weights = corner_weights(ends, sampled)
     least, most = weights.min(axis=-1), weights.max(axis=-1)
     return np.asarray(formed & ((least > 0) & (most < LARGEST_RATIO * least)).all(axis=(0, 1)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class QuadGuide:
-    """Jacobians that the usable quads ask of triangles, at any time.
+class QuadJacobianTarget:
+    """Jacobians wanted of triangles by the usable quads, at any time.
 
     Attributes
     ----------
     tween : Tween
         Moves the quads' vertices.
     follows : (T,) bool
-        Which triangles are led; the others' Jacobians are their own.
+        Which triangles follow a quad; the others' Jacobians are their own.
     """
 
     tween: Tween
     follows: Mask
-    _forth: "_Lead"
-    _back: "_Lead"
+    _forth: "_FromOneEnd"
+    _back: "_FromOneEnd"
     _whole: LinearMaps
 
     @classmethod
-    def of(cls, pair: MeshPair, tween: Tween, source: Points, target: Points) -> "QuadGuide | None":
-        """Find the quad that leads each triangle; None if no quad is fit to lead.
+    def of(
+        cls, pair: MeshPair, tween: Tween, source: Points, target: Points
+    ) -> "QuadJacobianTarget | None":
+        """Find the quad that each triangle follows; None if no quad is usable.
 
         Parameters
         ----------
@@ -81,27 +83,27 @@ class QuadGuide:
         tween : Tween
             The pair's movement.
         source, target : (T, 3, 2) float64
-            Corners of the triangles to be led, at both ends.
+            Corners of the triangles, at both ends.
         """
         good = pair.quads[usable_quads(pair, tween)]
         if not len(good):
             return None
         whole = jacobians(gradients(as_complex(source))[0], as_complex(target))
-        forth = _Lead.of(good, pair.source, pair.target, source.mean(axis=1), whole)
-        back = _Lead.of(good, pair.target, pair.source, target.mean(axis=1), whole.inverse())
-        return cls(tween, forth.sound & back.sound, forth, back, whole)
+        forth = _FromOneEnd.of(good, pair.source, pair.target, source.mean(axis=1), whole)
+        back = _FromOneEnd.of(good, pair.target, pair.source, target.mean(axis=1), whole.inverse())
+        return cls(tween, forth.valid & back.valid, forth, back, whole)
 
     def __call__(self, t: Floats, own: LinearMaps) -> LinearMaps:
         """Wanted Jacobians at the times (F,), (F, T).
 
-        What the quads ask seen from the start fades into what they ask seen from the end, so that
-        backwards in time the same is asked.
+        What the quads want seen from the start fades into what they want seen from the end, so that
+        backwards in time the same is wanted.
 
         Parameters
         ----------
         t : (F,) float64
         own : (F, T) linear maps
-            What the triangles would do by themselves; those that are not led keep to it.
+            What the triangles would do by themselves; those that follow no quad keep to it.
         """
         vertices, time = as_complex(self.tween.vertices(t)), t[:, None]
         forth = self._forth.jacobians(vertices, t)
@@ -118,8 +120,8 @@ class QuadGuide:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Lead:
-    """What quads ask of triangles, seen from one end of the movement.
+class _FromOneEnd:
+    """What quads want of triangles, seen from one end of the movement.
 
     Where a homography is read its Jacobian is, in barycentric coordinates b_k of three corners q_k
     and with their weights w_k, the sum of w_k (q_k - y) grad(b_k) over w, y the image and w the
@@ -128,16 +130,16 @@ class _Lead:
     Attributes
     ----------
     quads : (Q, 4) intp
-        Quads that lead.
+        Quads that are followed.
     start : (Q, 4, 2) float64
         Their corners at this end.
-    leader : (T,) intp
-        The quad that leads each triangle.
+    followed : (T,) intp
+        The quad that each triangle follows.
     shares : (T, 3) float64
         Where its homography is read, in barycentric coordinates of its first three corners.
     slopes : (T, 3) complex128
         Gradients of these coordinates.
-    sound : (T,) bool
+    valid : (T,) bool
         Triangles that end near where their quad takes them.
     residual : (T,) linear maps
         What they have to make good.
@@ -145,45 +147,47 @@ class _Lead:
 
     quads: Index
     start: Quads
-    leader: Index
+    followed: Index
     shares: Floats
     slopes: Complex
-    sound: Mask
+    valid: Mask
     residual: LinearMaps
 
     @classmethod
     def of(
         cls, quads: Index, here: Points, there: Points, centroids: Points, whole: LinearMaps
-    ) -> "_Lead":
+    ) -> "_FromOneEnd":
         start = here[quads]
-        leader, places = _nearest_quads(centroids, start)
+        followed, places = _nearest_quads(centroids, start)
         corners = as_complex(start)[:, :3]
-        slopes = gradients(corners)[0][leader]
-        offset = as_complex(places)[:, None] - corners.mean(axis=1)[leader][:, None]
+        slopes = gradients(corners)[0][followed]
+        offset = as_complex(places)[:, None] - corners.mean(axis=1)[followed][:, None]
         shares = 1 / 3 + (slopes.conj() * offset).real
         moved = as_complex(there)[None]
-        end = _led(quads, start, leader, shares, slopes, moved)[0]
+        end = _read_jacobians(quads, start, followed, shares, slopes, moved)[0]
         residual = end.inverse().after(whole)
         areas = residual.determinants
-        sound = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
-        residual = LinearMaps(np.where(sound, residual.a, 1), np.where(sound, residual.b, 0))
-        sound &= np.abs(residual.angles) < LARGEST_TURN
-        return cls(quads, start, leader, shares, slopes, sound, residual)
+        valid = (areas < LARGEST_AREA) & (areas > 1 / LARGEST_AREA)
+        residual = LinearMaps(np.where(valid, residual.a, 1), np.where(valid, residual.b, 0))
+        valid &= np.abs(residual.angles) < LARGEST_TURN
+        return cls(quads, start, followed, shares, slopes, valid, residual)
 
     def jacobians(self, vertices: Complex, t: Floats) -> LinearMaps:
         """Jacobians from this end to the vertices (F, V), `t` from this end, (F, T)."""
-        led = _led(self.quads, self.start, self.leader, self.shares, self.slopes, vertices)
-        return led.after(self.residual.between(self.residual.angles, t))
+        moved = _read_jacobians(
+            self.quads, self.start, self.followed, self.shares, self.slopes, vertices
+        )
+        return moved.after(self.residual.between(self.residual.angles, t))
 
 
-def _led(
-    quads: Index, start: Quads, leader: Index, shares: Floats, slopes: Complex, vertices: Complex
+def _read_jacobians(
+    quads: Index, start: Quads, followed: Index, shares: Floats, slopes: Complex, vertices: Complex
 ) -> LinearMaps:
     """Jacobians of the quads' homographies to vertices (F, V), where they are read, (F, T)."""
     moved = vertices[:, quads]
     ends = as_points(moved)
-    weights = corner_weights(np.broadcast_to(start, ends.shape), ends)[:, leader, :3]
-    corners = moved[:, leader, :3]
+    weights = corner_weights(np.broadcast_to(start, ends.shape), ends)[:, followed, :3]
+    corners = moved[:, followed, :3]
     weighted = weights * shares
     total = weighted.sum(axis=2, keepdims=True)
     image = (weighted * corners).sum(axis=2, keepdims=True) / total
@@ -200,7 +204,7 @@ def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:
     foot = quads + share[..., None] * side
     away = np.linalg.norm(points[:, None, None] - foot, axis=-1)
     distance = np.where(within, 0.0, away.min(axis=-1))
-    # Quads that share a corner are as near to what lies beyond it: the first of them leads.
+    # Quads that share a corner are as near to what lies beyond it: the first of them is taken.
     nearest = np.argmax(distance <= (1 + SAME) * distance.min(axis=1, keepdims=True), axis=1)
     row = np.arange(len(points))
     edge = foot[row, nearest, away[row, nearest].argmin(axis=-1)]

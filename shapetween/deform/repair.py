@@ -1,6 +1,6 @@
-"""Mending what still folds in a moving plane mesh, frame by frame and then smoothly in time.
+"""Repairing what still inverts in a moving ambient mesh, frame by frame and then smoothly in time.
 
-A triangle that has become too small, or is turned over, pushes its corners apart until it has a
+A triangle that has become too small, or is inverted, pushes its corners apart until it has a
 share of the area it has at the ends [MCKM15]_; as the mesh covers the outside as well, this keeps
 outlines from crossing.
 
@@ -12,10 +12,10 @@ import numpy as np
 
 from shapetween.base.arrays import Complex, Floats
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.deform.mesh import PlaneMesh
+from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.linearmaps import as_complex, squared
 
-__all__ = ["mended"]
+__all__ = ["repair_inversions"]
 
 #: Share of its smaller area at the ends that a triangle keeps. Larger keeps parts further apart
 #: and moves more of the mesh; smaller leaves contacts that curves between the nodes cross.
@@ -24,12 +24,12 @@ LEAST_SHARE = 0.2
 SWEEPS, SWEEPS_AFTER = 60, 30
 #: Overrelaxation of a sweep. Larger converges sooner until it oscillates, from about 1.5.
 RELAXATION = 1.2
-#: Passes of (1, 2, 1) / 4 over the displacements in time. Fewer let the mending show as a jolt.
+#: Passes of (1, 2, 1) / 4 over the displacements in time. Fewer let the repair show as a jolt.
 SMOOTHING = 3
 
 
-def mended(motion: KeyedMotion, count: int) -> KeyedMotion:
-    """The same motion, looked at and mended at even times, `count` in all; the ends stay."""
+def repair_inversions(motion: KeyedMotion, count: int) -> KeyedMotion:
+    """The same motion, repaired at even times, `count` in all; the ends stay."""
     mesh, t = motion.mesh, np.linspace(0, 1, count)
     plain = motion.posed(t)
     added = _pushed(mesh, plain, SWEEPS) - plain
@@ -38,9 +38,9 @@ def mended(motion: KeyedMotion, count: int) -> KeyedMotion:
     return KeyedMotion.of(mesh, _pushed(mesh, plain + added, SWEEPS_AFTER))
 
 
-def _pushed(mesh: PlaneMesh, posed: Complex, sweeps: int) -> Complex:
+def _pushed(mesh: AmbientMesh, posed: Complex, sweeps: int) -> Complex:
     """Push the corners of small triangles apart in all but the first and last frame, (F, V)."""
-    triangles = mesh.triangles[~mesh.turned]
+    triangles = mesh.triangles[~mesh.inverted]
     ends = [
         _areas(as_complex(pose.normalise(points))[triangles])
         for pose, points in zip(mesh.poses, (mesh.source, mesh.target), strict=True)
@@ -68,7 +68,7 @@ def _pushed(mesh: PlaneMesh, posed: Complex, sweeps: int) -> Complex:
         number[held] = 0
         pushed = np.flatnonzero(number)
         flat[pushed] += RELAXATION * (sums[0] + 1j * sums[1])[pushed] / number[pushed]
-        # A triangle that nothing has touched is as sound as it was.
+        # A triangle that nothing has touched is as valid as it was.
         moved = number.reshape(frames, count) > 0
         touched = np.flatnonzero(moved.any(axis=1))
         near = moved[touched][:, triangles].any(axis=2)
