@@ -14,20 +14,16 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
-from shapetween.svg.read.rings import ring_of
+from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
 from shapetween.svg.read.subpaths import in_range, subpaths_of
 from shapetween.svg.read.transform import apply
 from shapetween.svg.read.units import number
 
 __all__ = ["rings_of", "shapes_of"]
 
-LOST_MARKERS = "markers on a line were left out"
-
 #: Share of its length up to which a stroke inside of what it surrounds is left out: ends of
 #: outlines that overlap a little. Lower and fill and stroke of such shapes part for nothing.
 HIDDEN = 0.05
-
-_MARKERS = ("marker-start", "marker-mid", "marker-end")
 
 
 def shapes_of(document: Document, placed: Placed) -> list[Shape]:
@@ -55,22 +51,40 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     style = style_of(document, placed.frame, subpaths, path_length)
     if style.fill is None and style.stroke is None:
         return []
-    if any(properties.get(name, "none") != "none" for name in _MARKERS):
-        document.losses.add(LOST_MARKERS)
-    layers = [style]
-    if style.fill is not None and style.stroke is not None and _stroke_first(placed):
-        layers = [replace(style, fill=None), replace(style, stroke=None)]
-    elif style.fill is not None and style.stroke is not None and placed.frame.opacity == 1:
-        closed = [ring for ring in rings_of(document, placed, subpaths, style) if ring.closed]
-        lines = chords_of(closed).polylines if closed else ()
-        if hidden_share(lines, style.fill_rule) > HIDDEN:
-            layers = [replace(style, stroke=None), replace(style, fill=None)]
+    layers = _layers(document, placed, subpaths, style)
     shapes = []
     for layer in layers:
         rings = rings_of(document, placed, subpaths, layer)
-        if rings:
-            shapes.append(Shape(rings, layer, placed.name))
+        parts = [(rings, layer)]
+        if layer.fill is None and layer.stroke is not None:
+            parts = unfolded(rings, layer)
+            if layer.stroke.dashes and len(layers) > 1:
+                # Open where it starts, so that its dashes start there however it moves.
+                parts = [(tuple(Outline(r.curves, closed=False) for r in rings), layer)]
+        shapes += [Shape(kept, own, placed.name) for kept, own in parts if kept]
     return shapes
+
+
+def _layers(
+    document: Document, placed: Placed, subpaths: Sequence[Subpath], style: Style
+) -> list[Style]:
+    """The style, or fill and stroke of it by themselves, in the order in which they are painted."""
+    if style.fill is None or style.stroke is None:
+        return [style]
+    apart = [replace(style, stroke=None), replace(style, fill=None)]
+    if _stroke_first(placed):
+        return apart[::-1]
+    rings = rings_of(document, placed, subpaths, style)
+    # What encloses nothing has no fill, and would count as an area; dashes start where the line
+    # does, which an area has no need to keep.
+    if any(encloses_nothing(ring) for ring in rings) or style.stroke.dashes:
+        return apart
+    if placed.frame.opacity == 1:
+        closed = [ring for ring in rings if ring.closed]
+        lines = chords_of(closed).polylines if closed else ()
+        if hidden_share(lines, style.fill_rule) > HIDDEN:
+            return apart
+    return [style]
 
 
 def rings_of(
@@ -93,6 +107,7 @@ def rings_of(
             filled=style.fill is not None,
             stroked=stroke is not None,
             dots=stroke is not None and stroke.cap != "butt",
+            width=stroke.width if stroke is not None else 1.0,
         )
         for subpath in in_range(document, mapped)
     )

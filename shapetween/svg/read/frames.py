@@ -76,6 +76,8 @@ class Frame:
         What the ``use`` elements outside draw.
     name : str
         What a shape drawn by ``use`` is called; empty outside of any.
+    context : (str, str) or None
+        Within a marker, the fill and the stroke of the line it is on.
     """
 
     matrix: Affine
@@ -85,6 +87,7 @@ class Frame:
     layers: tuple[Layer, ...] = ()
     uses: tuple[Element, ...] = ()
     name: str = ""
+    context: tuple[str, str] | None = None
 
     @property
     def opacity(self) -> float:

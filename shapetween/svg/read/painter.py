@@ -19,6 +19,7 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import shapes_of
 from shapetween.svg.read.filters import filters_of
 from shapetween.svg.read.frames import Layer, Placed
+from shapetween.svg.read.markers import markers_of
 from shapetween.svg.read.masks import Masker
 
 __all__ = ["Painter", "shape_box"]
@@ -47,7 +48,8 @@ class Painter:
         """The shapes that elements paint, in paint order."""
         whole = [
             (shape, each.frame.layers)
-            for each in placed
+            for marked in placed
+            for each in (marked, *markers_of(self._document, marked))
             for shape in shapes_of(self._document, each)
         ]
         veils = self._veils(whole)

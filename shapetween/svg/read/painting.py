@@ -86,7 +86,7 @@ def _paint(
     document: Document, name: str, default: str, frame: Frame, subpaths: Sequence[Subpath]
 ) -> Paint:
     properties = frame.properties
-    value = parse_paint(properties.get(name, default))
+    value = parse_paint(_in_context(frame, properties.get(name, default)))
     alpha = _alpha(frame, name)
     if value is None or alpha == 0:
         return None
@@ -110,6 +110,15 @@ def _paint(
     if not isinstance(colour, Colour) or colour.alpha == 0:
         return None
     return with_alpha(colour, alpha)
+
+
+def _in_context(frame: Frame, text: str) -> str:
+    """A paint, or that of the line that a marker is on."""
+    words = ("context-fill", "context-stroke")
+    word = text.strip().lower()
+    if word not in words:
+        return text
+    return "none" if frame.context is None else frame.context[words.index(word)]
 
 
 def _alpha(frame: Frame, name: str) -> float:

@@ -1,17 +1,23 @@
 """Subpaths to the rings of a shape."""
 
 from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
-from shapetween.base.arrays import Curves
+from shapetween.base.arrays import Curves, Points
 from shapetween.geometry.bezier import line_curves
 from shapetween.geometry.polygon import cross
 from shapetween.model.drawing import Box
 from shapetween.model.outline import Outline
+from shapetween.model.paint import Style
 from shapetween.svg.read.pathdata import Subpath
 
-__all__ = ["bounds", "ring_of"]
+__all__ = ["bounds", "encloses_nothing", "ring_of", "unfolded"]
+
+#: Length of a dot, as a share of its width: less than shows, more than is printed away.
+DOT = 1e-3
 
 #: A gap that is closed by moving the last point instead of drawing a line, as a share of the
 #: ring's size: what programs that add up rounded numbers leave. Larger and a line that somebody
@@ -41,7 +47,9 @@ def bounds(subpaths: Sequence[Subpath]) -> Box:
     return Box(*least.tolist(), *(greatest - least).tolist())
 
 
-def ring_of(subpath: Subpath, *, filled: bool, stroked: bool, dots: bool) -> Outline | None:
+def ring_of(
+    subpath: Subpath, *, filled: bool, stroked: bool, dots: bool, width: float = 1.0
+) -> Outline | None:
     """The ring that a subpath draws.
 
     Parameters
@@ -52,6 +60,8 @@ def ring_of(subpath: Subpath, *, filled: bool, stroked: bool, dots: bool) -> Out
         open if it was drawn so.
     dots : bool
         Whether a line without length shows, as the caps of its stroke.
+    width : float
+        Of the stroke.
 
     Returns
     -------
@@ -62,7 +72,7 @@ def ring_of(subpath: Subpath, *, filled: bool, stroked: bool, dots: bool) -> Out
     curves = curves[(curves != curves[:, :1]).any(axis=(1, 2))]
     if not len(curves):
         if stroked and dots and (subpath.closed or len(subpath.curves)):
-            return Outline(np.broadcast_to(subpath.start, (1, 4, 2)), subpath.closed)
+            return _dot(subpath.start, width)
         return None
     closed = subpath.closed or not stroked
     if closed:
@@ -70,6 +80,47 @@ def ring_of(subpath: Subpath, *, filled: bool, stroked: bool, dots: bool) -> Out
     if filled and not stroked and _is_flat(curves):
         return None
     return Outline(curves, closed)
+
+
+def _dot(place: Points, width: float) -> Outline:
+    """A dot as a line too short to be seen: what has no length has no direction to be moved by."""
+    end = place + np.array([DOT * width, 0.0])
+    return Outline(line_curves(place[None], end[None]), closed=False)
+
+
+def encloses_nothing(ring: Outline) -> bool:
+    """Whether a ring, closed by a line, lies on one line, so that nothing fills it."""
+    return _is_flat(ring.curves) or not np.ptp(ring.curves.reshape(-1, 2), axis=0).any()
+
+
+def unfolded(rings: Sequence[Outline], style: Style) -> list[tuple[tuple[Outline, ...], Style]]:
+    """Stroked rings as they are moved: what runs out and back on one line becomes that line.
+
+    At both of its ends such a ring is joined, not capped; a miter of no angle is cut off.
+
+    Returns
+    -------
+    list of rings and the style that strokes them
+    """
+    stroke = style.stroke
+    assert stroke is not None  # it is strokes that are asked for
+    flat = [ring.closed and _is_flat(ring.curves) for ring in rings]
+    if stroke.dashes or not any(flat):
+        return [(tuple(rings), style)]
+    cap: Literal["round", "butt"] = "round" if stroke.join == "round" else "butt"
+    lines = tuple(_whole_line(ring) for ring, is_flat in zip(rings, flat, strict=True) if is_flat)
+    others = tuple(ring for ring, is_flat in zip(rings, flat, strict=True) if not is_flat)
+    capped = replace(style, stroke=replace(stroke, cap=cap))
+    return [part for part in ((others, style), (lines, capped)) if part[0]]
+
+
+def _whole_line(ring: Outline) -> Outline:
+    """The line between those ends of a flat ring's curves that are farthest apart."""
+    points = ring.curves[:, [0, 3]].reshape(-1, 2)
+    start = points[np.abs(points - points[0]).sum(axis=1).argmax()]
+    end = points[np.abs(points - start).sum(axis=1).argmax()]
+    first, last = (start, end) if tuple(start) <= tuple(end) else (end, start)
+    return Outline(line_curves(first[None], last[None]), closed=False)
 
 
 def _closed(curves: Curves) -> Curves:
@@ -91,6 +142,8 @@ def _is_flat(curves: Curves) -> bool:
     points = curves.reshape(-1, 2)
     offsets = points - points[0]
     size = np.abs(offsets).max()
+    if size == 0:
+        return True
     farthest = offsets[np.abs(offsets).max(axis=1).argmax()]
     # Divided by the size first: neither square may vanish in a tiny drawing.
     return bool(np.abs(cross(offsets / size, farthest / size)).max() <= FLAT)

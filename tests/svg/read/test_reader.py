@@ -375,7 +375,6 @@ def test_names_and_title() -> None:
             "mask",
         ),
         ('<pattern id="p"/>' + square("url(#p)"), "pattern"),
-        ('<path d="M0 0h5v5" marker-end="url(#m)"/>', "marker"),
         ('<use href="#none"/>', "use"),
         ('<g id="g"><use href="#g"/></g>', "use"),
         ('<path d="M0 0h5v5 oops"/>', "character 10"),
@@ -456,3 +455,92 @@ def test_a_stroke_seen_inside_of_its_fill_is_a_shape_of_its_own() -> None:
         assert shapes[0].style.fill is not None
         assert shapes[-1].style.stroke is not None
         assert {shape.name for shape in shapes} == {"s"}
+
+
+def test_what_encloses_nothing_has_no_fill() -> None:
+    (line,) = read('<path d="M5 5H50" stroke="red"/>').shapes
+    assert line.style.fill is None
+    (dot,) = read('<path d="M5 5h0" stroke="red" stroke-linecap="round"/>').shapes
+    assert dot.style.fill is None
+    assert 0 < np.ptp(dot.rings[0].curves[:, :, 0]) < 0.01
+    assert not read('<path d="M5 5H50"/>' + square()).shapes[0].style.stroke
+
+
+def test_a_flat_ring_is_a_line_without_caps() -> None:
+    flat = '<polygon points="20,50 80,50 60,50" fill="none" stroke="red" {}/>'
+    for join, cap in (("miter", "butt"), ("bevel", "butt"), ("round", "round")):
+        (shape,) = read(flat.format(f'stroke-linecap="square" stroke-linejoin="{join}"')).shapes
+        assert shape.style.stroke is not None
+        assert shape.style.stroke.cap == cap
+        (ring,) = shape.rings
+        assert not ring.closed
+        assert ring.curves[0, [0, 3]].tolist() == [[20, 50], [80, 50]]
+
+
+def test_a_dashed_line_around_a_fill_starts_where_it_did() -> None:
+    fill, line = read(
+        '<rect x="5" y="5" width="30" height="20" fill="blue" stroke="red" stroke-dasharray="3"/>'
+    ).shapes
+    assert (fill.style.stroke, line.style.fill) == (None, None)
+    assert not line.rings[0].closed
+    assert line.rings[0].curves[0, 0].tolist() == [5, 5]
+
+
+ARROW = '<path d="M0 0L4 2L0 4z" fill="context-stroke"/>'
+
+
+@pytest.mark.parametrize(
+    ("marker", "line", "boxes"),
+    [
+        # As wide as the line is, at its end.
+        ('refX="0" refY="2" markerWidth="4" markerHeight="4"', "M10 50H50", [(50, 46, 58, 54)]),
+        # In user units.
+        (
+            'markerUnits="userSpaceOnUse" refY="2" markerWidth="4" markerHeight="4"',
+            "M10 50H50",
+            [(50, 48, 54, 52)],
+        ),
+        # Turned as the line runs.
+        (
+            'orient="auto" refY="2" markerWidth="4" markerHeight="4"',
+            "M10 10V50",
+            [(6, 50, 14, 58)],
+        ),
+        ('orient="90" refY="2" markerWidth="4" markerHeight="4"', "M10 50H50", [(46, 50, 54, 58)]),
+        # Through its view box.
+        (
+            'viewBox="0 0 4 4" refX="center" refY="center" markerWidth="2" markerHeight="2"',
+            "M10 50H50",
+            [(48, 48, 52, 52)],
+        ),
+    ],
+)
+def test_markers_are_shapes(
+    marker: str, line: str, boxes: list[tuple[float, float, float, float]]
+) -> None:
+    drawing = read(
+        f'<marker id="m" {marker}>{ARROW}</marker><path d="{line}" stroke="red" fill="none" '
+        'stroke-width="2" marker-end="url(#m)"/>'
+    )
+    drawn = drawing.shapes[1:]
+    assert drawing.warnings == ()
+    assert [shape.style.fill for shape in drawn] == [Colour(1, 0, 0)] * len(boxes)
+    found = np.array([shape.rings[0].box.ravel() for shape in drawn])
+    np.testing.assert_allclose(found, np.array(boxes), atol=1e-9)
+
+
+def test_markers_stand_at_every_vertex() -> None:
+    drawing = read(
+        f'<marker id="m" orient="auto-start-reverse" overflow="visible">{ARROW}</marker>'
+        '<polyline points="10 10 30 10 30 30" fill="none" stroke="red" style="marker:url(#m)"/>'
+    )
+    places = [shape.rings[0].curves[0, 0].round(9).tolist() for shape in drawing.shapes[1:]]
+    assert places == [[10, 10], [30, 10], [30, 30]]
+    tips = [shape.rings[0].curves[0, 3] for shape in drawing.shapes[1:]]
+    assert tips[0][0] < 10
+    assert tips[2][1] > 30
+
+
+def test_markers_in_markers_end() -> None:
+    body = '<marker id="m"><path d="M0 0H5" stroke="red" marker-end="url(#m)"/></marker>'
+    assert read(body + '<path d="M0 0H50" stroke="red" marker-end="url(#m)"/>').shapes
