@@ -10,9 +10,14 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from shapetween.base.errors import BudgetError, InputError
+from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Drawing, Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Style
+from shapetween.svg.read.colours import CURRENT, parse_paint
 from shapetween.svg.read.document import Document, Pictures, title_of
 from shapetween.svg.read.frames import Frame
+from shapetween.svg.read.gradients import colour_of
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.painter import Painter, shape_box
 from shapetween.svg.read.transform import affine
@@ -83,11 +88,34 @@ def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> 
         seen = Box(0.0, 0.0, seen.width / unit, seen.height / unit)
 
     shapes = Painter(document).painted(walk(document, root, frame))
+    shown = seen or _drawn_box(shapes) if shapes else None
+    sheet = _sheet(document, shown) if shown else None
     losses = document.losses.lines()
     if not shapes:
         nothing = "holds nothing that can be drawn; expected shapes with a fill or a stroke"
         raise InputError(name, "; ".join([nothing, *losses]))
-    return Drawing(tuple(shapes), seen or _drawn_box(shapes), title_of(root), tuple(losses))
+    assert shown is not None  # there are shapes
+    if sheet is not None:
+        shapes.insert(0, sheet)
+    return Drawing(tuple(shapes), shown, title_of(root), tuple(losses))
+
+
+def _sheet(document: Document, box: Box) -> Shape | None:
+    """What the root's style paints behind the drawing, as a shape that fills what is shown."""
+    properties = document.style(document.root)
+    text = properties.get("background-color") or properties.get("background", "none")
+    value = parse_paint(text)
+    if value is None or value.reference or "gradient(" in text.lower():
+        if text.strip().lower() not in ("none", "initial", "unset"):
+            document.losses.add("a background that is no colour was left out")
+        return None
+    colour = colour_of(properties, "color") if value.colour == CURRENT else value.colour
+    if not isinstance(colour, Colour) or colour.alpha == 0:
+        return None
+    right, bottom = box.x + box.width, box.y + box.height
+    corners = np.array([[box.x, box.y], [right, box.y], [right, bottom], [box.x, bottom]])
+    ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+    return Shape((ring,), Style(colour))
 
 
 def _page(root: Element) -> Box | None:

@@ -544,3 +544,27 @@ def test_markers_stand_at_every_vertex() -> None:
 def test_markers_in_markers_end() -> None:
     body = '<marker id="m"><path d="M0 0H5" stroke="red" marker-end="url(#m)"/></marker>'
     assert read(body + '<path d="M0 0H50" stroke="red" marker-end="url(#m)"/>').shapes
+
+
+@pytest.mark.parametrize(
+    ("style", "colour"),
+    [
+        ("background-color: rgb(30,30,60)", (30, 30, 60)),
+        ("background:#1e1e3c", (30, 30, 60)),
+        ("background:none", None),
+        ("background:transparent", None),
+        ("color:#1e1e3c;background:currentColor", (30, 30, 60)),
+    ],
+)
+def test_the_background_of_the_root_is_a_sheet(
+    style: str, colour: tuple[int, int, int] | None
+) -> None:
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="5 6 70 80" style="{style}">'
+    drawing = read_svg((text + square() + "</svg>").encode(), "a.svg")
+    assert drawing.warnings == ()
+    if colour is None:
+        assert len(drawing.shapes) == 1
+        return
+    sheet, _ = drawing.shapes
+    assert sheet.style.fill == Colour(*(part / 255 for part in colour))
+    assert sheet.rings[0].box.tolist() == [[5, 6], [75, 86]]
