@@ -1,0 +1,52 @@
+"""Files that people reported as drawn wrong: first and last frame as Chromium draws the file."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import shapetween as st
+from shapetween.svg.write.sequence import frame_svg
+from tests.browser import Browser, chromium, difference
+
+pytestmark = pytest.mark.browser
+
+FILES = Path(__file__).resolve().parents[1] / "data" / "files"
+NAMES = sorted(path.name.removesuffix("-a.svg") for path in FILES.glob("*-a.svg"))
+
+#: What cannot be drawn the same, and a word of the warning that says so.
+TOLD = {"pattern-grey": "pattern", "figma-angular": "foreign object", "animated-input": "animated"}
+
+#: Share of pixels that may differ.
+NEAR = 0.01
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as found:
+        yield found
+
+
+def test_there_are_files() -> None:
+    assert len(NAMES) > 20
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_ends_are_drawn_as_the_files_are(name: str, browser: Browser) -> None:
+    files = [FILES / f"{name}-{side}.svg" for side in "ab"]
+    moved = st.morph(*files)
+    if name in TOLD:
+        assert any(TOLD[name] in warning for warning in moved.warnings)
+        return
+    # The page's size is taken away: all are drawn as large as their frame.
+    texts = [re.sub(r"^(<svg[^>]*?)( width=\S+ height=\S+)", r"\1", p.read_text()) for p in files]
+    movement = moved.svg(duration=2.0)
+    documents = [*texts, *map(frame_svg, moved.frames(2)), movement, movement]
+    a, b, first, last, start, end = browser.pictures(documents, [0, 0, 0, 0, 0, 2])
+    assert difference(a, first) <= NEAR
+    assert difference(b, last) <= NEAR
+    assert difference(a, start) <= NEAR
+    assert difference(b, end) <= NEAR
+    if "false-alarm" in name:
+        assert not any(word in w for w in moved.warnings for word in ("mask", "filter", "clip"))
