@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from shapetween.api import Chain, Morph, chain, morph
     from shapetween.base.errors import ShapetweenError
+    from shapetween.between import between
     from shapetween.interpolate import tween
     from shapetween.interpolate.quads import interpolate_quads
     from shapetween.mesh.pair import MeshPair
@@ -23,6 +24,7 @@ __all__ = [
     "MeshPair",
     "Morph",
     "ShapetweenError",
+    "between",
     "chain",
     "interpolate_quads",
     "morph",
@@ -36,6 +38,7 @@ _HOMES = {
     "MeshPair": "shapetween.mesh.pair",
     "Morph": "shapetween.api",
     "ShapetweenError": "shapetween.base.errors",
+    "between": "shapetween.between",
     "chain": "shapetween.api",
     "interpolate_quads": "shapetween.interpolate.quads",
     "morph": "shapetween.api",

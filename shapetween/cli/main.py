@@ -18,6 +18,7 @@ COMMANDS = {
     "mesh": ("shapetween.cli.pair", "Show what goes where, or keep the mesh."),
     "compare": ("shapetween.cli.compare", "Show every method side by side, with figures."),
     "studio": ("shapetween.cli.studio", "See the matching, drag it right, save the movement."),
+    "inkscape": ("shapetween.cli.inkscape", "Make in-betweens inside Inkscape."),
     "batch": ("shapetween.cli.batch", "Make many pairs at once."),
     "image": ("shapetween.cli.image", "Turn quads of a picture into quads of another."),
     "gallery": ("shapetween.cli.gallery", "Draw the paper's figures and a showcase, as a page."),
