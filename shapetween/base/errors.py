@@ -15,7 +15,7 @@ __all__ = [
 
 
 class ShapetweenError(Exception):
-    """Anything the user can mend; its text is one line: what is wrong, and what would do."""
+    """Anything the user can put right; its text is one line: what is wrong, and what would do."""
 
 
 class InputError(ShapetweenError):
@@ -41,7 +41,7 @@ class OutlineError(ShapetweenError):
 
 
 class MeshError(ShapetweenError):
-    """A mesh that is not sound, or that does not fit the outlines."""
+    """A mesh that is not valid, or that does not fit the outlines."""
 
 
 class DegenerateQuadError(MeshError):

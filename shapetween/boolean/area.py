@@ -73,14 +73,14 @@ def filled_area(polylines: Sequence[Points], rule: FillRule) -> BaseGeometry | N
     kept = turns % 2 == 1 if rule == "evenodd" else turns != 0
     around = shapely.length(faces)
     thin = 2 * shapely.area(faces) < SLIVER * size * around
-    sound, gaps = faces[kept & ~thin], faces[thin]
+    valid, gaps = faces[kept & ~thin], faces[thin]
     # A gap between filled faces is filled, and a shred that stands alone is none.
-    gap, beside = shapely.STRtree(sound).query(gaps, predicate="intersects")
+    gap, beside = shapely.STRtree(valid).query(gaps, predicate="intersects")
     shared = shapely.length(
-        shapely.intersection(shapely.boundary(gaps[gap]), shapely.boundary(sound[beside]))
+        shapely.intersection(shapely.boundary(gaps[gap]), shapely.boundary(valid[beside]))
     )
     enclosed = np.bincount(gap, weights=shared, minlength=len(gaps)) > around[thin] / 2
-    return shapely.coverage_union_all([*sound, *gaps[enclosed]])
+    return shapely.coverage_union_all([*valid, *gaps[enclosed]])
 
 
 def hidden_share(polylines: Sequence[Points], rule: FillRule) -> float:

@@ -66,7 +66,7 @@ COLUMNS = (
     Column(
         "turned_over",
         "Turned over",
-        "Largest share of the inside that is turned over at any moment.",
+        "Largest share of the inside that is inverted at any moment.",
         "%",
     ),
     Column(
@@ -188,17 +188,17 @@ def _polygons(body: Carried) -> list[Floats]:
 
 
 def _distortion(skeletons: Sequence[Skeleton]) -> tuple[Floats, Floats, Floats]:
-    """Mean and worst distortion, and the share turned over, at `TIMES`, each (F,)."""
+    """Mean and worst distortion, and the share inverted, at `TIMES`, each (F,)."""
     parts = [skeleton.jacobians(TIMES) for skeleton in skeletons]
     forward = np.concatenate([jacobian for jacobian, _ in parts], axis=1)
     before = np.concatenate([areas for _, areas in parts])
     last = forward[-1]
     growth = np.linalg.det(last)
     after = before * np.abs(growth)
-    sound = np.abs(growth) > 0
-    back = np.linalg.inv(np.where(sound[:, None, None], last, np.eye(2)))
+    valid = np.abs(growth) > 0
+    back = np.linalg.inv(np.where(valid[:, None, None], last, np.eye(2)))
     measured = []
-    for jacobian, areas in ((forward, before), (forward @ back, after * sound)):
+    for jacobian, areas in ((forward, before), (forward @ back, after * valid)):
         ratio = conformal_distortion(jacobian)
         turned = np.isinf(ratio)
         excess = np.minimum(ratio - 1, MOST_DISTORTED)

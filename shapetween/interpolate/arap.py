@@ -129,7 +129,7 @@ class AlexaArap:
     Raises
     ------
     MeshError
-        If a face cannot be split into triangles that are sound at both ends.
+        If a face cannot be split into triangles that are valid at both ends.
 
     Notes
     -----
@@ -161,7 +161,7 @@ class Arap:
     Raises
     ------
     MeshError
-        If a face cannot be split into triangles that are sound at both ends.
+        If a face cannot be split into triangles that are valid at both ends.
 
     Notes
     -----

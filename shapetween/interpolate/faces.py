@@ -16,7 +16,7 @@ __all__ = [
     "split_quads",
 ]
 
-#: Least sine of a triangle's corner. Larger refuses thin but sound triangles; smaller lets the
+#: Least sine of a triangle's corner. Larger refuses thin but valid triangles; smaller lets the
 #: rotation that is read off the matrix be rounding error.
 MIN_CORNER_SINE = 1e-9
 
@@ -80,7 +80,7 @@ def mesh_edges(faces: list[Index]) -> tuple[Index, Index]:
 
 
 def _least_sines(pair: MeshPair, triangles: Index) -> Floats:
-    """Least corner sine of triangles (..., 3) over both ends, (...,); negative if turned over.
+    """Least corner sine of triangles (..., 3) over both ends, (...,); negative if inverted.
 
     Meshes that run anticlockwise at both ends are as good as clockwise ones.
     """
@@ -95,12 +95,12 @@ def check_triangles(pair: MeshPair) -> None:
     Raises
     ------
     MeshError
-        If a triangle of the pair has no area at one end, or is turned over between them.
+        If a triangle of the pair has no area at one end, or is inverted between them.
     """
     bad = np.flatnonzero(_least_sines(pair, pair.triangles) < MIN_CORNER_SINE)
     if bad.size:
         raise MeshError(
-            f"triangle {bad[0]}: without area at one end, or turned over between the two; "
+            f"triangle {bad[0]}: without area at one end, or inverted between the two; "
             "move its corners"
         )
 
@@ -116,9 +116,9 @@ def split_quads(pair: MeshPair) -> Index:
     Raises
     ------
     DegenerateQuadError
-        If neither diagonal of a quad gives triangles that are sound at both ends.
+        If neither diagonal of a quad gives triangles that are valid at both ends.
     MeshError
-        If a triangle of the pair is not sound.
+        If a triangle of the pair is not valid.
 
     Notes
     -----
@@ -130,7 +130,7 @@ def split_quads(pair: MeshPair) -> Index:
     second = pair.quads[:, [[1, 2, 3], [1, 3, 0]]]
     choices = np.stack([first, second])  # (2, Q, 2, 3)
     least = _least_sines(pair, choices).min(axis=-1)
-    # One quad's two triangles must also turn the same way, or a folded quad passes for sound.
+    # One quad's two triangles must also turn the same way, or a folded quad passes for valid.
     sides = np.stack(
         [corner_sines(points[choices]).sum(axis=-1) for points in (pair.source, pair.target)]
     )
@@ -139,7 +139,7 @@ def split_quads(pair: MeshPair) -> Index:
     bad = np.flatnonzero(least.max(axis=0, initial=-1.0) < MIN_CORNER_SINE)
     if bad.size:
         raise DegenerateQuadError(
-            bad, "no diagonal splits it into triangles that are sound at both ends"
+            bad, "no diagonal splits it into triangles that are valid at both ends"
         )
     chosen = choices[better, np.arange(len(better))].reshape(-1, 3)
     return np.concatenate([chosen, pair.triangles])

@@ -13,7 +13,7 @@ class Linear:
     """A mesh pair moved in straight lines, the yardstick that other methods must beat.
 
     Parts that turn shrink on the way, to nothing at half a turn. No face is refused, not even one
-    that is turned over or has no area.
+    that is inverted or has no area.
 
     Parameters
     ----------

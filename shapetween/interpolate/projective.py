@@ -77,7 +77,7 @@ class Projective(AlignedFaces):
     DegenerateQuadError
         If a quad has no projective in-between.
     MeshError
-        If a triangle has no area at one end, or is turned over.
+        If a triangle has no area at one end, or is inverted.
 
     Notes
     -----
@@ -148,7 +148,7 @@ class PaperProjective(AlignedFaces):
     DegenerateQuadError
         If a quad has no projective in-between.
     MeshError
-        If a triangle has no area at one end, or is turned over.
+        If a triangle has no area at one end, or is inverted.
 
     Notes
     -----

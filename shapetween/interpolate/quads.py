@@ -18,7 +18,7 @@ from shapetween.geometry.rotation import linear_between, polar
 
 __all__ = ["QuadMotion", "check_quads", "interpolate_quads"]
 
-#: Least sine of a corner. Larger refuses thin but sound quads; smaller lets the rotation that is
+#: Least sine of a corner. Larger refuses thin but valid quads; smaller lets the rotation that is
 #: read off the matrix be rounding error.
 MIN_CORNER_SINE = 1e-9
 
@@ -29,7 +29,7 @@ def check_quads(source: Quads, target: Quads) -> None:
     Raises
     ------
     DegenerateQuadError
-        Where a quad is not strictly convex, or is turned over between source and target.
+        Where a quad is not strictly convex, or is inverted between source and target.
     """
     sines = np.stack([corner_sines(source), corner_sines(target)])  # (2, Q, 4)
     turning = np.sign(sines.sum(axis=-1))
@@ -41,7 +41,7 @@ def check_quads(source: Quads, target: Quads) -> None:
         )
     if (mirrored := turning[0] != turning[1]).any():
         raise DegenerateQuadError(
-            np.flatnonzero(mirrored), "turned over between source and target; reverse one end"
+            np.flatnonzero(mirrored), "inverted between source and target; reverse one end"
         )
 
 
@@ -89,7 +89,7 @@ class QuadMotion:
         Raises
         ------
         DegenerateQuadError
-            Where a quad is not strictly convex, or is turned over between source and target.
+            Where a quad is not strictly convex, or is inverted between source and target.
         """
         check_quads(source, target)
         centres, means = source.mean(axis=1), target.mean(axis=1)
@@ -121,7 +121,7 @@ class QuadMotion:
         -----
         ``H_t = [R(t angle) ((1 - t) I + t S), t T; 0 1] P_t``. The last row of P_t is the unit
         vanishing line turned from (0, 0, 1) by t gamma, [WKD07]_ equation (7) with three faults
-        of its printed form mended: the line's sign, the missing eta and the division by
+        of its printed form corrected: the line's sign, the missing eta and the division by
         sin gamma. With the radius at infinity it becomes (t h31, t h32, 1).
         """
         gamma = np.arctan(self._sizes)
@@ -176,7 +176,7 @@ def interpolate_quads(
     Raises
     ------
     DegenerateQuadError
-        If a quad is not strictly convex at one end, or is turned over.
+        If a quad is not strictly convex at one end, or is inverted.
 
     Examples
     --------

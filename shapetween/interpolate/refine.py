@@ -26,7 +26,7 @@ def refined(pair: MeshPair) -> MeshPair:
 
     Notes
     -----
-    The four parts of a convex quad are convex, so that whatever is sound stays so.
+    The four parts of a convex quad are convex, so that whatever is valid stays so.
     """
     halves = split_quads(pair)
     sines = np.stack([corner_sines(x[pair.quads]) for x in (pair.source, pair.target)])

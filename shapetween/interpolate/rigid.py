@@ -38,7 +38,7 @@ class RigidFaces:
 
     @classmethod
     def of(cls, pair: MeshPair, weights: Floats, parts: Index) -> "tuple[RigidFaces, RigidFaces]":
-        """The quads and the triangles of a sound mesh.
+        """The quads and the triangles of a valid mesh.
 
         Parameters
         ----------

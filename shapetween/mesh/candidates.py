@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
-from shapetween.mesh.contour import settled
+from shapetween.mesh.contour import rounded
 
 __all__ = ["candidate_nodes", "far_sample", "opposite_feet", "simplified"]
 
@@ -39,7 +39,7 @@ def far_sample(points: Points) -> int:
     step = np.sqrt(((np.roll(points, -1, axis=1) - points) ** 2).sum(-1))
     weight = step + np.roll(step, 1, axis=1)
     middle = (points * weight[..., None]).sum(axis=1) / weight.sum(axis=1)[:, None]
-    return int(np.argmax(settled(((points - middle[:, None]) ** 2).sum(axis=(0, -1)))))
+    return int(np.argmax(rounded(((points - middle[:, None]) ** 2).sum(axis=(0, -1)))))
 
 
 def _splits(ends: tuple[int, int]) -> bool:
@@ -71,7 +71,7 @@ def _furthest(
     offset = curve.take(sample, axis=1) - start.take(stretch, axis=1)
     share = (offset * (along / np.where(size > 0, size, 1.0)).take(stretch, axis=1)).sum(axis=0)
     offset -= np.minimum(np.maximum(share, 0.0), 1.0) * along.take(stretch, axis=1)
-    score = settled(np.sqrt((offset**2).sum(axis=0)) * weight[sample])
+    score = rounded(np.sqrt((offset**2).sum(axis=0)) * weight[sample])
     best = np.maximum.reduceat(score, begin)
     reached = np.flatnonzero(score == best[stretch])
     earliest = reached[np.searchsorted(stretch[reached], np.arange(len(first)))]
@@ -152,7 +152,7 @@ def opposite_feet(points: Points, nodes: Index) -> tuple[Index, Floats]:
     ahead = inward > 1e-6 * np.sqrt(square)
     radii = np.where(ahead, square / np.where(ahead, 2 * inward, 1.0), np.inf)
     around = (nodes[:, None] + np.arange(-2, 3)) % points.shape[1]
-    radii = settled(np.minimum(radii, FAR))
+    radii = rounded(np.minimum(radii, FAR))
     np.put_along_axis(radii, np.broadcast_to(around, (2, *around.shape)), np.inf, axis=2)
     feet = radii.argmin(axis=2)
     return feet, np.take_along_axis(radii, feet[..., None], axis=2)[..., 0]

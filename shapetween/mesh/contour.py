@@ -10,7 +10,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.polygon import cross
 
-__all__ = ["Contours", "arc_waste", "left_out", "outside_lengths", "settled"]
+__all__ = ["Contours", "arc_waste", "left_out", "outside_lengths", "rounded"]
 
 #: Step to which numbers that decide something are rounded. Larger, and it shows in the mesh;
 #: smaller, and symmetric shapes get another mesh when they are turned.
@@ -82,7 +82,7 @@ class Contours:
         return int(self.points.shape[1])
 
 
-def settled(values: Floats, step: float = STEP) -> Floats:
+def rounded(values: Floats, step: float = STEP) -> Floats:
     """Round to a fixed step, so that what is equal but for rounding is equal.
 
     Between equals the first is taken then, whatever the unit and turn of the shapes. Sums of such
@@ -123,7 +123,7 @@ def arc_waste(contours: Contours, first: Index, last: Index) -> Floats:
         - 2 * offset * (nx * sx + ny * sy)
         + offset * offset * length
     )
-    return np.asarray(np.sqrt(np.maximum(settled(squared * length, SQUARED_STEP), 0)))
+    return np.asarray(np.sqrt(np.maximum(rounded(squared * length, SQUARED_STEP), 0)))
 
 
 def left_out(contours: Contours, nodes: Index) -> Floats:

@@ -1,4 +1,4 @@
-"""Meshes as JSON that a person can read, edit and draw by hand, and what makes one sound.
+"""Meshes as JSON that a person can read, edit and draw by hand, and what makes one valid.
 
 One mesh is an object with ``source`` and ``target``, the vertices in the two drawings' own units,
 and ``quads`` and ``triangles``, which count vertices from 0. Several are ``{"meshes": [...]}``,
@@ -22,7 +22,7 @@ __all__ = ["check_faces", "check_mesh", "dump_meshes", "load_meshes"]
 #: Smaller refuses nodes placed by eye; larger takes a mesh that was made for another shape.
 NEAR_OUTLINE = 0.01
 
-#: Least sine of a quad's corner. Raise it and thin but sound quads are refused; lower it and what
+#: Least sine of a quad's corner. Raise it and thin but valid quads are refused; lower it and what
 #: is left of a corner is rounding error.
 MIN_CORNER_SINE = 1e-6
 
@@ -108,7 +108,7 @@ def _index(value: object, place: str) -> int:
 
 
 def check_mesh(pair: MeshPair, source_polygon: Points, target_polygon: Points) -> Index:
-    """Check that a mesh is sound in both shapes and covers them.
+    """Check that a mesh is valid in both shapes and covers them.
 
     Every face must run clockwise as drawn and every quad be convex; faces must meet edge to edge;
     the boundary must be one simple cycle; and the boundary's vertices must lie on the outlines.

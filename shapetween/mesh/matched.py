@@ -13,7 +13,7 @@ from shapetween.mesh.dissection import Dissection
 from shapetween.mesh.pair import MeshPair
 from shapetween.mesh.prices import QUAD_PRICE
 from shapetween.mesh.quality import face_figures
-from shapetween.mesh.refine import with_rungs
+from shapetween.mesh.refine import with_split_quads
 from shapetween.mesh.repair import Faces, repaired, simple_nodes
 from shapetween.mesh.search import LEVELS, Links, Search
 from shapetween.mesh.slide import slid
@@ -26,7 +26,7 @@ __all__ = ["MatchedMesh", "mesh_matched"]
 ROUNDS = (64, 112)
 
 #: Prices of a quad between which a number of quads asked for is sought, and in how many steps.
-#: Cheaper quads come out as crumbs; beyond, rungs are better.
+#: Cheaper quads come out as slivers; beyond, quads split across are better.
 PRICES, PRICE_STEPS = (0.0, 32.0), 12
 
 #: Price, in quads about, that it is worth to put a node on a corner of an outline.
@@ -127,7 +127,7 @@ def mesh_matched(
     from_start = np.roll(outlines, -start, axis=1)[order]
     contours = Contours.of((from_start - from_start[:, :1]) * unit[order])
     draft = _search(contours, np.roll(marks, -start), quads)
-    nodes, faces = _sound(contours, draft)
+    nodes, faces = _valid(contours, draft)
 
     # Back to the samples' own start, and to the units and the order of the input.
     count = len(nodes)
@@ -155,7 +155,7 @@ def mesh_matched(
 
 
 def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
-    """Search for a mesh, and once more round its nodes if it is not sound everywhere."""
+    """Search for a mesh, and once more round its nodes if it is not valid everywhere."""
     pull = np.where(corners, CORNER_PULL, 0.0)
     draft = None
     for count in ROUNDS:
@@ -184,7 +184,7 @@ def _search(contours: Contours, corners: Mask, quads: int | None) -> _Draft:
         draft = _Draft(nodes, np.zeros((0, 4), np.intp), np.zeros((0, 3), np.intp))
     elif quads is not None:
         samples = draft.nodes[draft.quads], draft.nodes[draft.triangles]
-        samples = with_rungs(contours, *samples, quads), samples[1]
+        samples = with_split_quads(contours, *samples, quads), samples[1]
         draft = _Draft.of(*samples)
     return draft
 
@@ -205,8 +205,8 @@ def _with_about(search: Search, quads: int) -> Dissection:
     return best
 
 
-def _sound(contours: Contours, draft: _Draft) -> tuple[Index, Faces]:
-    """Make the node polygons simple and mend the faces that are not sound.
+def _valid(contours: Contours, draft: _Draft) -> tuple[Index, Faces]:
+    """Make the node polygons simple and repair the faces that are not valid.
 
     Returns the nodes, increasing, and the faces over them.
     """

@@ -1,13 +1,13 @@
 """What the parts of a mesh cost, in quads about; the mesh that costs least is taken.
 
-Quads cost little where they are few, sound and alike in both shapes. What no quad that moves well
+Quads cost little where they are few, valid and alike in both shapes. What no quad that moves well
 covers costs its share of the area.
 """
 
 import numpy as np
 
 from shapetween.base.arrays import Floats
-from shapetween.mesh.contour import settled
+from shapetween.mesh.contour import rounded
 from shapetween.mesh.quality import MIN_CORNER_SINE, FaceFigures
 
 __all__ = ["QUAD_PRICE", "quad_prices", "side_prices", "triangle_prices"]
@@ -43,7 +43,7 @@ def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
     """Price of every quad, whatever its links cost."""
     sharp = np.clip(1 - figures.sine / ROUND_SINE, 0, 1)
     perspective = np.log(np.minimum(figures.perspective, 100.0)) ** 2
-    return settled(
+    return rounded(
         quad_price
         + SHARP_PRICE * sharp**2
         + PERSPECTIVE_PRICE * np.minimum(perspective, 8.0)
@@ -55,7 +55,7 @@ def quad_prices(figures: FaceFigures, quad_price: float = QUAD_PRICE) -> Floats:
 
 def triangle_prices(figures: FaceFigures) -> Floats:
     """Price of every triangle, whatever its links cost."""
-    return settled(TRIANGLE_PRICE + UNCOVERED_PRICE * abs(figures.area) + _broken_prices(figures))
+    return rounded(TRIANGLE_PRICE + UNCOVERED_PRICE * abs(figures.area) + _broken_prices(figures))
 
 
 def _broken_prices(figures: FaceFigures) -> Floats:
@@ -65,4 +65,4 @@ def _broken_prices(figures: FaceFigures) -> Floats:
 
 def side_prices(waste: Floats) -> Floats:
     """Price of sides that waste so much of each shape, (2, ...) to (...)."""
-    return settled(UNCOVERED_PRICE * ((waste[0] + waste[1]) / 2))
+    return rounded(UNCOVERED_PRICE * ((waste[0] + waste[1]) / 2))

@@ -1,6 +1,6 @@
-"""From any dissection to a sound mesh: simple node polygons, faces convex in both shapes.
+"""From any dissection to a valid mesh: simple node polygons, faces convex in both shapes.
 
-Chords that do not stay inside are dropped, faces that are not sound are cut anew, and what has no
+Chords that do not stay inside are dropped, faces that are not valid are cut anew, and what has no
 common diagonal is filled by an overlay. It always succeeds for simple outlines.
 """
 
@@ -90,7 +90,7 @@ def _deepest(points: Points, first: int, gap: int) -> int:
 
 
 def repaired(rings: Points, chords: Index) -> Faces:
-    """Mesh a polygon in two shapes, keeping those of the given chords that are sound.
+    """Mesh a polygon in two shapes, keeping those of the given chords that are valid.
 
     Parameters
     ----------
@@ -182,12 +182,12 @@ def _dissected(rings: Points, inside: Mask) -> Faces | None:
         return None
     triangles = chains[:, lids[chains[0], chains[2]]].T
     sharp = face_figures(rings[:, triangles]).sine
-    sound = sharp > 0
-    triangles, sharp = triangles[sound], sharp[sound]
+    valid = sharp > 0
+    triangles, sharp = triangles[valid], sharp[valid]
     first, second = joined_chains(chains, lids)
     quads = np.stack([*chains[:, first], chains[2][second]], axis=1)
     figures = face_figures(rings[:, quads])
-    sound = figures.sine > MIN_CORNER_SINE
+    valid = figures.sine > MIN_CORNER_SINE
     sides = np.full((count, count), np.inf)
     sides[own[:-1], own[1:]] = 0.0
     closing = np.full(count, np.inf)
@@ -196,7 +196,7 @@ def _dissected(rings: Points, inside: Mask) -> Faces | None:
         sides,
         np.where(np.triu(inside), 0.0, np.inf),
         closing,
-        (quads[sound], _quad_costs(figures.sine[sound], figures.usable[sound])),
+        (quads[valid], _quad_costs(figures.sine[valid], figures.usable[valid])),
         (triangles, TRIANGLE_PRICE + SLIVER_PRICE * np.clip(1 - sharp / 0.3, 0, 1)),
     )
     if not np.isfinite(found.cost):

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
-from shapetween.mesh.contour import Contours, arc_waste, outside_lengths, settled
+from shapetween.mesh.contour import Contours, arc_waste, outside_lengths, rounded
 from shapetween.mesh.dissection import Dissection, dissect, joined_chains, linked_chains
 from shapetween.mesh.prices import QUAD_PRICE, quad_prices, side_prices, triangle_prices
 from shapetween.mesh.quality import MIN_CORNER_SINE, FaceFigures
@@ -22,7 +22,7 @@ __all__ = ["LEVELS", "Level", "Links", "Search"]
 LENGTH_PRICE = 0.3
 
 #: Price of chord length outside a shape. Smaller, and chords are taken that must be dropped when
-#: the mesh is mended; larger, and good ones are lost that graze a ripple of the outline.
+#: the mesh is repaired; larger, and good ones are lost that graze a ripple of the outline.
 OUTSIDE_PRICE = 60.0
 
 #: Most quads priced in one search, about: a microsecond each. Shapes without limbs reach it, as
@@ -45,7 +45,7 @@ class Level:
     side : float
         Most that one side may waste of a shape, as a share of its area.
     broken : bool
-        Whether faces that are not convex in both shapes are taken too, to be mended later.
+        Whether faces that are not convex in both shapes are taken too, to be repaired later.
     """
 
     name: str
@@ -123,7 +123,7 @@ class Links:
             waste,
             side_prices(wasted),
             np.maximum(*wasted),
-            settled(price),
+            rounded(price),
             np.maximum(*outside),
             most,
         )
@@ -200,12 +200,12 @@ class Search:
         lids[:, -1] |= np.isfinite(closing)
         first, second = joined_chains(chains.nodes, lids)
         price = partial(quad_prices, quad_price=0.0)
-        sound, quad_costs = _sound(chains.quad_figures, (first, second), least, price)
-        ends = chains.nodes[2][second[sound]]
-        quads = np.stack([*chains.nodes[:, first[sound]], ends], axis=1)
+        valid, quad_costs = _valid(chains.quad_figures, (first, second), least, price)
+        ends = chains.nodes[2][second[valid]]
+        quads = np.stack([*chains.nodes[:, first[valid]], ends], axis=1)
         closed = np.flatnonzero(lids[chains.nodes[0], chains.nodes[2]])
-        sound, triangle_costs = _sound(chains.triangle_figures, (closed,), least, triangle_prices)
-        triangles = chains.nodes[:, closed[sound]].T
+        valid, triangle_costs = _valid(chains.triangle_figures, (closed,), least, triangle_prices)
+        triangles = chains.nodes[:, closed[valid]].T
         return cls(
             links.nodes, sides, chords, closing, quads, quad_costs, triangles, triangle_costs
         )
@@ -222,7 +222,7 @@ class Search:
         return Dissection(self.nodes[found.quads], self.nodes[found.triangles], found.cost)
 
 
-def _sound(
+def _valid(
     measure: Callable[..., FaceFigures],
     chains: tuple[Index, ...],
     least: float,
@@ -232,7 +232,7 @@ def _sound(
     kept, costs = [], []
     for start in range(0, len(chains[0]) + 1, AT_ONCE):
         figures = measure(*(some[start : start + AT_ONCE] for some in chains))
-        sound = figures.sine >= least
-        kept.append(sound)
-        costs.append(price(figures)[sound])
+        valid = figures.sine >= least
+        kept.append(valid)
+        costs.append(price(figures)[valid])
     return np.concatenate(kept), np.concatenate(costs)

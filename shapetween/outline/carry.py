@@ -20,9 +20,9 @@ __all__ = ["Carrier", "Joints", "affine_between"]
 #: Joints that turn by less than this at both ends, in radians, are kept smooth on the way.
 SMOOTH_KINK = np.deg2rad(20.0)
 
-#: An excess kink is mended whole up to the first angle, in radians, and left alone from the second
+#: An excess kink is removed whole up to the first angle, in radians, and left alone from the second
 #: on, where turning the handles would make a loop.
-MENDED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
+REMOVED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
 
 #: Kink, in radians, past which a handle that grows from nothing turns no tip. Beyond it the two
 #: curves of a tip cross, seen from near.
@@ -257,8 +257,8 @@ class Joints:
         leaving = _leaving(curves[:, self._after])
         wanted = (1 - t)[:, None] * self._kinks[0] + t[:, None] * self._kinks[1]
         excess = np.angle(leaving * reaching.conj() * np.exp(-1j * wanted))
-        fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - MENDED), 0.0, 1.0)
-        room = np.clip(SHARPEST - np.abs(wanted), 0.0, MENDED)
+        fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - REMOVED), 0.0, 1.0)
+        room = np.clip(SHARPEST - np.abs(wanted), 0.0, REMOVED)
         over = excess - np.clip(excess, -room, room)
         excess = np.where(self._slack, over, excess * fade * fade * (3 - 2 * fade))
         for piece, end, handle, share in (

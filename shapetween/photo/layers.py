@@ -191,11 +191,11 @@ def _moved(pair: MeshPair, times: Floats, method: str) -> Points:
 
 
 def _failing(vertices: Points, quads: Index) -> Mask:
-    """Quads that are not convex, or turned over, in some frame, (Q,)."""
+    """Quads that are not convex, or inverted, in some frame, (Q,)."""
     corners = vertices[:, quads]
     turning = np.sign(polygon_area(corners[0]))
-    sound = corner_sines(corners) * turning[:, None] >= LEAST_SINE
-    return np.asarray(~sound.all(axis=(0, 2)))
+    valid = corner_sines(corners) * turning[:, None] >= LEAST_SINE
+    return np.asarray(~valid.all(axis=(0, 2)))
 
 
 def _halves(vertices: Points, quads: Index) -> Index:

@@ -169,7 +169,7 @@ def _checked(quad: PictureQuad, place: str) -> PictureQuad:
         raise MeshError(f"{wrong} is not convex at corner {corner}; expected a convex quad")
     if (polygon_area(quad.a) > 0) != (polygon_area(quad.b) > 0):
         raise MeshError(
-            f"{place}: quad {quad.name!r} is turned over between a and b; "
+            f"{place}: quad {quad.name!r} is inverted between a and b; "
             "expected both clockwise or both counter-clockwise"
         )
     return quad

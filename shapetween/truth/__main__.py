@@ -27,7 +27,7 @@ def truth(seed: int, count: int) -> None:
 
 
 def main() -> None:
-    """Run the command; what the user can mend becomes one line and exit code 2."""
+    """Run the command; what the user can put right becomes one line and exit code 2."""
     try:
         truth.main(prog_name="python -m shapetween.truth", standalone_mode=False)
     except (click.ClickException, ShapetweenError) as error:

@@ -136,7 +136,7 @@ def test_degenerate_quads_are_named(quad: list[list[float]], why: str) -> None:
 
 
 def test_a_mirrored_quad_is_named() -> None:
-    with pytest.raises(DegenerateQuadError, match="quad 0: turned over"):
+    with pytest.raises(DegenerateQuadError, match="quad 0: inverted"):
         interpolate_quads(SQUARE[None], SQUARE[None, ::-1], [0.5])
 
 

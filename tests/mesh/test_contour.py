@@ -4,7 +4,7 @@ import shapely
 
 from shapetween.base.arrays import Index, Points
 from shapetween.geometry.polygon import polygon_area
-from shapetween.mesh.contour import Contours, arc_waste, left_out, outside_lengths, settled
+from shapetween.mesh.contour import Contours, arc_waste, left_out, outside_lengths, rounded
 from tests.mesh.pairs import comb, matched, regular, spiral, star, untangled
 
 
@@ -80,6 +80,6 @@ def test_area_left_out_is_that_of_the_symmetric_difference() -> None:
 
 
 def test_settled_numbers_add_up_exactly() -> None:
-    values = settled(np.random.default_rng(1).random(1000) * 100)
+    values = rounded(np.random.default_rng(1).random(1000) * 100)
     assert values.sum() == values[::-1].cumsum()[-1]
-    np.testing.assert_allclose(settled(values + 1e-13), values, atol=0)
+    np.testing.assert_allclose(rounded(values + 1e-13), values, atol=0)

@@ -1,4 +1,4 @@
-"""Meshes of real drawings: few quads, sound ones, and little left out."""
+"""Meshes of real drawings: few quads, valid ones, and little left out."""
 
 import json
 from pathlib import Path

@@ -26,7 +26,7 @@ def pair_of(source: Points, target: Points | None = None, **faces: Any) -> MeshP
 
 
 def document(**changes: Any) -> dict[str, Any]:
-    """A sound mesh as JSON holds it, with changes; None leaves a key out."""
+    """A valid mesh as JSON holds it, with changes; None leaves a key out."""
     square = [[0, 0], [4, 0], [4, 4], [0, 4]]
     data = {"source": square, "target": square, "quads": [[0, 1, 2, 3]], **changes}
     return {key: value for key, value in data.items() if value is not None}
@@ -184,7 +184,7 @@ def test_what_is_unsound_is_named(make: Callable[[], MeshPair], message: str) ->
 
 
 def test_a_boundary_that_crosses_itself_is_refused() -> None:
-    """A strip of sound quads that runs around and over its own start."""
+    """A strip of valid quads that runs around and over its own start."""
     angles = np.linspace(0, 2.3 * np.pi, 17)
     inner, outer = (r * np.stack([np.cos(angles), np.sin(angles)], axis=1) for r in (1.0, 2.0))
     k = np.arange(16)
@@ -197,9 +197,9 @@ def test_a_boundary_that_crosses_itself_is_refused() -> None:
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e6])
 def test_the_boundary_must_lie_on_the_outline(size: float) -> None:
     outline = size * VERTICES[BORDER]
-    for away, sound in ((0.03, True), (0.05, False)):  # 1 % of the diagonal is 0.036
+    for away, valid in ((0.03, True), (0.05, False)):  # 1 % of the diagonal is 0.036
         pair = pair_of(size * moved(8, 0.0, 2.0 + away))
-        if sound:
+        if valid:
             check_mesh(pair, outline, outline)
         else:
             with pytest.raises(MeshError, match=r"source: vertex 8 at .* from the outline"):

@@ -30,7 +30,7 @@ def triangles(seed: int) -> tuple[Points, Points]:
 
 
 def test_backwards_the_same_quads_lead() -> None:
-    """Seen from one end these two pass for sound on all of their way, from the other not."""
+    """Seen from one end these two pass for valid on all of their way, from the other not."""
     ends = [
         [
             [[0.55, -0.19], [0.89, 2.31], [-0.15, -1.19], [0.21, -1.43]],

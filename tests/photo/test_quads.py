@@ -69,7 +69,7 @@ def test_id_and_depth_may_be_left_out() -> None:
             "quad '0' is not convex at corner 1",
         ),
         (text({"a": [[0, 0]] * 4, "b": SQUARE}), "quad '0' is not convex"),
-        (text({"a": SQUARE, "b": SQUARE[::-1]}), "q.json: quads[0]: quad '0' is turned over"),
+        (text({"a": SQUARE, "b": SQUARE[::-1]}), "q.json: quads[0]: quad '0' is inverted"),
     ],
 )
 def test_what_is_wrong_is_named(written: str, complaint: str) -> None:
@@ -156,7 +156,7 @@ def test_quads_are_drawn_in_an_editor() -> None:
         (
             POLYGON.format("p"),
             '<polygon id="p" points="0,0 0,10 10,10 10,0"/>',
-            "'p' is turned over",
+            "'p' is inverted",
         ),
     ],
 )

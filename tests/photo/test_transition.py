@@ -227,7 +227,7 @@ def test_a_quad_that_fails_on_the_way_becomes_triangles() -> None:
 
 
 def test_a_quad_without_an_in_between_is_named() -> None:
-    with pytest.raises(MeshError, match="quad 0: turned over"):
+    with pytest.raises(MeshError, match="quad 0: inverted"):
         Transition.between(
             plain((0, 0, 0)), plain((0, 0, 0)), [one_quad(BOARD_A, BOARD_A[::-1])], T
         )

@@ -42,7 +42,7 @@ class Figures:
     edge_overshoot : float
         Worst share by which an edge leaves the range of its two lengths.
     folded : int
-        Frames, of `FRAMES`, in which a face is not convex or is turned over.
+        Frames, of `FRAMES`, in which a face is not convex or is inverted.
     least_sine : float
         Least sine of a face's corner at any time, negative in folded frames.
     least_w : float
