@@ -78,7 +78,7 @@ class Morph(Moving):
         back = inverted(self.prepared.fit)
         return tuple(
             RingCorrespondence.of(part.name, ring, back)
-            for part in self.prepared.filled
+            for part in self.prepared.meshed
             for body in part.bodies
             for ring in body.nodes.rings
         )
@@ -109,7 +109,7 @@ class Morph(Moving):
     def _views(self) -> list[MeshView]:
         back = inverted(self.prepared.fit)
         views = []
-        for part in self.prepared.filled:
+        for part in self.prepared.meshed:
             for ring in (ring for body in part.bodies for ring in body.nodes.rings):
                 if ring.pair is None:
                     continue

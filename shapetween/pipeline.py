@@ -1,5 +1,6 @@
 """From two drawings to the movement between them, one stage after another."""
 
+from collections import Counter
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, get_args
 
@@ -13,15 +14,22 @@ from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
 from shapetween.elastic.aboard import LonePart, RidingPart, unrepeated
 from shapetween.elastic.fill import FillSettings, morph_fill
+from shapetween.elastic.naming import is_given
 from shapetween.elastic.parts import FilledPart
 from shapetween.interpolate import check_method
+from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, fit_matrix, mapped
 from shapetween.model.movement import Movement, Part
-from shapetween.scene.items import items_of
+from shapetween.scene.forms import RoundedBox, form_of
+from shapetween.scene.items import Item, items_of
+from shapetween.scene.joining import joined_lines
+from shapetween.scene.motion.choose import SAME, clockwise, is_blob
+from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.movement import PairPart, SceneMovement, move_scene
+from shapetween.scene.places import Places
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -111,8 +119,14 @@ class Prepared:
             if isinstance(part, FilledPart):
                 own.append(part)
             elif isinstance(part, PairPart) and part.frame is None:
-                own += [track.part for track in part.tracks if isinstance(track, Elastic)]
+                tracks = [getattr(track, "track", track) for track in part.tracks]
+                own += [track.part for track in tracks if isinstance(track, Elastic)]
         return tuple(own)
+
+    @property
+    def meshed(self) -> tuple[FilledPart, ...]:
+        """What can be shown as meshes: also areas that move some simpler way."""
+        return self.filled if self.scene is None else self.scene.meshed
 
     @property
     def riding(self) -> tuple[RidingPart, ...]:
@@ -189,12 +203,27 @@ def _moved(
     """All parts: a single area that becomes another by the outline engine, else a scene's."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
-    if len(one) == len(other) == 1 and one[0].filled and other[0].filled:
+    one, other = joined_lines(one), joined_lines(other)
+    if len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
-        part, said = morph_fill(areas[0], areas[1], settings, names, alone=True)
-        return (part,), said, None
+        part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
+        return (part,), told, None
     scene = move_scene(one, other, boxes, settled, settings, names)
     return scene.parts, (*said, *more, *scene.notices), scene
+
+
+def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
+    """Whether the outline engine moves a drawing of one item: areas of no simple form."""
+    if not (one.filled and other.filled):
+        return False
+    if settings.meshed or settings.folds == "allow" or len(settings.pins):
+        return True
+    if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
+        return False
+    if is_blob(one) and is_blob(other) and register(one.outer, other.outer) is None:
+        return False
+    places = [Places(clockwise(item.outer)) for item in (one, other)]
+    return anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is None
 
 
 def _closed(shape: Shape) -> Shape:
@@ -241,4 +270,18 @@ def _settled(
     for k, which in enumerate(("first", "second")):
         if len({pair[k] for pair in settled}) < len(settled):
             raise OptionError(f"match: a shape of the {which} drawing is matched twice")
+    for i, j in _named_alike(first, second):
+        if i not in {a for a, _ in settled} and j not in {b for _, b in settled}:
+            settled.append((i, j))
     return settled
+
+
+def _named_alike(first: tuple[Shape, ...], second: tuple[Shape, ...]) -> list[tuple[int, int]]:
+    """Pairs of shapes by names that a person gave and both drawings have once."""
+    counts = [Counter(shape.name for shape in side) for side in (first, second)]
+    there = {shape.name: j for j, shape in enumerate(second)}
+    return [
+        (i, there[shape.name])
+        for i, shape in enumerate(first)
+        if is_given(shape.name) and counts[0][shape.name] == counts[1][shape.name] == 1
+    ]

@@ -33,7 +33,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
         "method": method,
         "rings": [
             _ring(part.name, body, ring)
-            for part in prepared.filled
+            for part in prepared.meshed
             for body in part.bodies
             for ring in body.nodes.rings
         ],

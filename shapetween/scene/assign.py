@@ -25,6 +25,9 @@ ROUNDS = 6
 #: of the drawing and of their size, logarithm of sizes, and sum of colours.
 SAME_PLACE, SAME_OUTLINE, SAME_SIZE, SAME_COLOUR = 0.012, 0.04, 0.06, 0.15
 
+#: Cost of a pair that is settled.
+SETTLED = -2.0
+
 #: Decimals of a cost that count. More, and rounding chooses between pairs that are as good.
 DECIMALS = 6
 
@@ -103,7 +106,7 @@ def assign(
         never[i, :] = never[:, j] = True
     for i, j in settled:
         never[i, j] = False
-        table[i, j] = -2.0
+        table[i, j] = SETTLED
     left = price * alone(a), price * alone(b)
     now: Current | None = None
     relation: Floats | None = None
@@ -117,6 +120,8 @@ def assign(
             relation = latest if relation is None or turn < 2 else (relation + latest) / 2
             costs = table + parents_cost(a, b, now) + relation
         costs = axes_cost(a, b, costs)
+        for i, j in settled:
+            costs[i, j] = SETTLED
         costs = np.where(never, np.inf, costs)
         history, now = now, _cheapest(costs, *left)
         if history is not None and _same(history, now) and turn > 2:

@@ -30,6 +30,13 @@ CLASS, OPEN, NEVER, KIND = 0.3, 0.35, 3.0, 1.2
 #: of a name that both have.
 LARGE, UNIQUE, NAMED = 0.6, 0.9, 0.4
 
+#: What a pair saves of which each is the only thing of its kind and colour in what it lies in.
+SOLE = 0.6
+
+#: What it saves where nearly all of several colours are in both drawings once, and how many at
+#: least.
+PALETTE, SEVERAL = 3.0, 3
+
 #: What a pair saves that is one thing in two places.
 SAME = 0.4
 
@@ -87,6 +94,7 @@ def fixed_terms(a: Scene, b: Scene) -> dict[str, Floats]:
         "large": -LARGE * np.minimum(1.0, 2 * np.minimum(*_both(a, b)) / _scale(a, b)),
         "same": -SAME * _same(a, b),
         "unique": -UNIQUE * _unique(a.items, b.items),
+        "sole": -SOLE * _sole(a, b),
         "named": -NAMED * _named(a.items, b.items),
     }
 
@@ -192,6 +200,20 @@ def _same(a: Scene, b: Scene) -> Floats:
     return same.astype(np.float64)
 
 
+def _sole(a: Scene, b: Scene) -> Floats:
+    """Which pairs are each the only thing of one kind and colour in what they lie in."""
+    keys = []
+    for scene in (a, b):
+        rows = [
+            (int(parent), item.filled, item.closed, *np.round(item.colour, 2).tolist())
+            for parent, item in zip(scene.parents, scene.items, strict=True)
+        ]
+        counts = Counter(rows)
+        keys.append([row[1:] if counts[row] == 1 and row[0] >= 0 else None for row in rows])
+    alike = [[float(i == j and i is not None) for j in keys[1]] for i in keys[0]]
+    return np.array(alike)
+
+
 def _unique(a: Sequence[Item], b: Sequence[Item]) -> Floats:
     """Which pairs have a colour that both drawings have just once, of several."""
     keys = [[tuple(np.round(i.colour, 3).tolist()) for i in side] for side in (a, b)]
@@ -199,7 +221,10 @@ def _unique(a: Sequence[Item], b: Sequence[Item]) -> Floats:
     once = {k for k in counts[0] if counts[0][k] == 1 and counts[1][k] == 1}
     if min(len(count) for count in counts) < 2:
         once = set()
-    return np.array([[float(i == j and i in once) for j in keys[1]] for i in keys[0]])
+    # A whole palette in common is no chance.
+    whole = len(once) >= SEVERAL and len(once) >= 0.8 * max(len(a), len(b))
+    weight = PALETTE / UNIQUE if whole else 1.0
+    return weight * np.array([[float(i == j and i in once) for j in keys[1]] for i in keys[0]])
 
 
 def _named(a: Sequence[Item], b: Sequence[Item]) -> Floats:

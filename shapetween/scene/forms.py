@@ -39,6 +39,9 @@ ROUND, EVEN = 0.45, 1.06
 #: Greatest extent of a line, as a share of its width, that is seen as a dot.
 DOT = 0.6
 
+#: Greatest extent of a ring, as a share of its width, whose stroke leaves no hole to speak of.
+FULL = 1.25
+
 #: Distance of a line's control points from its chord, as a share of it, up to which it is straight.
 STRAIGHT = 0.01
 
@@ -134,13 +137,19 @@ def form_of(item: Item) -> Form:
     """What an item's outer ring is."""
     if not item.filled:
         extent = float(np.hypot(*np.ptp(item.box, axis=0)))
-        if extent <= DOT * item.width:
+        if extent <= DOT * item.width or _is_full(item):
             return Dot()
     if not item.closed:
         if is_straight(item.outer):
             return Segment(item.outer.curves[0, 0], item.outer.curves[-1, 3])
         return OpenLine(*_corners(item.outer))
     return _box_of(item.enclosed) or Blob()
+
+
+def _is_full(item: Item) -> bool:
+    """Whether a ring is so small that its stroke leaves no hole in its middle."""
+    low, high = np.sort(np.ptp(item.box, axis=0))
+    return bool(item.closed and high < EVEN**2 * low and high < FULL * item.width)
 
 
 def is_straight(line: Outline) -> bool:

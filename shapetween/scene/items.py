@@ -57,12 +57,15 @@ class Item:
         Which of the drawing's shapes, in paint order, it is part of.
     name : str
         That shape's.
+    cut : bool
+        Whether it is a piece of what was drawn as one.
     """
 
     rings: tuple[Outline, ...]
     style: Style
     shape: int = 0
     name: str = ""
+    cut: bool = False
 
     @property
     def filled(self) -> bool:
@@ -161,6 +164,12 @@ class Item:
         if paint is None and style.stroke is not None:
             paint = style.stroke.paint
         return seen_colour(paint, style.opacity)
+
+    @property
+    def as_shape(self) -> Shape:
+        """The item by itself; its holes run against its outer ring, so that any rule shows them."""
+        holes = tuple(hole.reversed() for hole in self.holes)
+        return Shape((self.outer, *holes), self.style, self.name)
 
     def replaced(self, rings: tuple[Outline, ...]) -> "Item":
         """The same item with other rings."""

@@ -8,14 +8,14 @@ from shapetween.scene.forms import Dot, OpenLine, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Track
 from shapetween.scene.places import Places, cut_alike
-from shapetween.scene.presence import Carry, Kept, Leaving, LonePart
+from shapetween.scene.presence import LAST, Carry, Kept, Leaving, LonePart
 from shapetween.scene.relations import Scene
 
 __all__ = ["leaving_part"]
 
 #: When a child of a part that stays goes, when what is loose does, and when it does where nothing
 #: stays at all.
-CHILD, LOOSE, EMPTY = (0.05, 0.58), (0.0, 0.45), (0.0, 0.62)
+CHILD, LOOSE, EMPTY = (0.05, 0.58), (0.0, 0.45), (0.0, 0.72)
 
 #: Share of its own size along which a fill must touch another for it to go into that.
 TOUCHES = 0.35
@@ -25,6 +25,9 @@ HIDDEN = 0.55
 
 #: How near a line's end is to what it lies on, in widths.
 ON = 0.6
+
+#: Share of leaving from which on a line that shrinks into its middle fades.
+DOTTED = 0.5
 
 #: Size that a fill which fades where it is has at last, and one that lies in another.
 FADED, FADED_CHILD = 0.65, 0.6
@@ -167,10 +170,16 @@ def _line(
     if on[0] != on[1]:
         return Leaving(window, drawn="start" if on[0] else "end", fades=False), host
     # What goes shrinks into its middle; what comes is drawn, as one draws it.
-    kept: Kept = "start" if arrives else "middle"
+    kept: Kept = "start" if arrives and parent is None else "middle"
     crossing = [j for j in others if not scene.items[j].filled and not scene.sheets[j]]
     if crossing:
         # What crosses others on the mirror axis shrinks into its middle, else it is undrawn.
         axial = any(axis.mates[k] == k for axis in scene.axes)
-        return Leaving(window, drawn="middle" if axial else kept, fades=False), host
-    return Leaving(CHILD if parent is not None else window, drawn=kept, fades=False), parent
+        return _to_middle(window, "middle" if axial else kept), host
+    return _to_middle(CHILD if parent is not None else window, kept), parent
+
+
+def _to_middle(window: tuple[float, float], kept: Kept) -> Leaving:
+    """What is left of a line in its middle would be a dot, so it fades before."""
+    last = DOTTED if kept == "middle" else LAST
+    return Leaving(window, drawn=kept, fades=False, last=last)

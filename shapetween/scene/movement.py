@@ -1,14 +1,17 @@
 """The movement between two drawings as scenes of parts."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Curves, Floats, Mask, Points
+from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
-from shapetween.elastic.fill import FillSettings
+from shapetween.elastic.fill import FillSettings, morph_fill
+from shapetween.elastic.parts import FilledPart
 from shapetween.elastic.regions import regions_of
 from shapetween.elastic.stroking import outlined
 from shapetween.geometry.bezier import curve_lengths
@@ -22,12 +25,14 @@ from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import cut_alike_items
 from shapetween.scene.forms import form_of
 from shapetween.scene.items import Item
+from shapetween.scene.keeping import kept_to
 from shapetween.scene.leaving import leaving_part
 from shapetween.scene.motion.choose import Ends, tracks_of
-from shapetween.scene.motion.tracks import Frame, Mirrored, Track
+from shapetween.scene.motion.tracks import Elastic, Frame, Mirrored, Shared, Track
 from shapetween.scene.order import Layer, layers_of, share_shown
 from shapetween.scene.presence import LonePart
 from shapetween.scene.relations import Scene, perceive
+from shapetween.scene.sets import paired_sets
 from shapetween.scene.whole import frame_between, moved_items
 
 __all__ = ["PairPart", "SceneMovement", "move_scene"]
@@ -48,6 +53,10 @@ class PairPart:
     end : (N, 4, 2) float64 or None
         What is drawn at last, where a frame carries it.
     layer : Layer
+    motion : WholeMotion or None
+        What gradients follow.
+    piece : (int, int) or None
+        Of what area it is a piece: whether the second drawing's, and which of its shapes.
     """
 
     name: str
@@ -56,6 +65,16 @@ class PairPart:
     frame: Frame | None
     layer: Layer
     motion: WholeMotion | None = None
+    piece: tuple[int, int] | None = None
+
+    def goes_on_in(self, other: "PairPart") -> bool:
+        """Whether another part is a piece of the same area."""
+        return (
+            self.piece is not None
+            and self.piece == other.piece
+            and self.styles == other.styles
+            and self.layer.shown == other.layer.shown
+        )
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -74,9 +93,26 @@ class PairPart:
     def style(self, t: float) -> Style:
         """Paint at one time."""
         style = blend(*self.styles, t, self.motion)
+        if self.piece is not None:  # pieces run all one way, and may cover each other
+            style = replace(style, fill_rule="nonzero")
         if self.layer.shown == "always":
             return style
         return replace(style, opacity=style.opacity * float(share_shown(self.layer, t)))
+
+
+def joined_parts(parts: Iterable[PairPart | LonePart]) -> list[PairPart | LonePart]:
+    """Parts with those put in one path that are pieces of one area, or seams would be seen.
+
+    Where two areas abut, what is behind them shines through, but not within one path.
+    """
+    joined: list[PairPart | LonePart] = []
+    for part in parts:
+        last = joined[-1] if joined else None
+        if isinstance(part, PairPart) and isinstance(last, PairPart) and last.goes_on_in(part):
+            joined[-1] = replace(last, tracks=last.tracks + part.tracks)
+        else:
+            joined.append(part)
+    return joined
 
 
 def framed(tracks: Sequence[Track], frame: Frame | None, t: Floats) -> Curves:
@@ -85,7 +121,7 @@ def framed(tracks: Sequence[Track], frame: Frame | None, t: Floats) -> Curves:
     return curves if frame is None else frame.carried(curves, t)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class SceneMovement:
     """What moves, and how that was found.
 
@@ -97,12 +133,44 @@ class SceneMovement:
         The second one as it is in the frame.
     roles : Roles
     notices : tuple of Notice
+    tracks : dict of int to tuple of Track
+        By pair.
+    settings : FillSettings
+    frame : Frame or None
     """
 
     parts: tuple[Part, ...]
     scenes: tuple[Scene, Scene]
     roles: Roles
     notices: tuple[Notice, ...]
+    tracks: dict[int, tuple[Track, ...]]
+    settings: FillSettings
+    frame: Frame | None
+
+    @cached_property
+    def meshed(self) -> tuple[FilledPart, ...]:
+        """Every pair of areas as the outline engine would move it, in the order of their roles."""
+        settings = replace(self.settings, pins=np.zeros((0, 4)), used_pins=set(), meshed=True)
+        found = []
+        for k, role in enumerate(self.roles.pairs):
+            one = self.scenes[0].items[role.first]
+            other = self.scenes[1].items[role.second]
+            if not (one.filled and other.filled):
+                continue
+            tracks = [getattr(track, "track", track) for track in self.tracks[k]]
+            own = [track.part for track in tracks if isinstance(track, Elastic)]
+            if own and self.frame is None:
+                found += own
+                continue
+            if self.frame is not None:
+                forth = self.frame.forth
+                other = other.replaced(tuple(ring.transformed(forth) for ring in other.rings))
+            try:
+                shapes = one.as_shape, other.as_shape
+                found.append(morph_fill(*shapes, settings, ("", ""), alone=False)[0])
+            except OutlineError:
+                continue
+        return tuple(found)
 
 
 def move_scene(
@@ -136,12 +204,16 @@ def move_scene(
         cut = cut_alike_items(a, b, views)
         a, b = cut.scenes
         settled, barred = _settled(a, b, given)
-        roles = assign(a, b, [*settled, *(p for p in cut.given if not barred[p])], barred)
+        settled += [pair for pair in cut.given if not barred[pair]]
+        if not settled:
+            settled = [pair for pair in paired_sets(a, b) if not barred[pair]]
+        roles = assign(a, b, settled, barred)
     said: list[Notice] = []
     with settings.observe("move"):
         tracks: dict[int, tuple[Track, ...]] = {}
         for k in _largest_first(a, roles):
-            tracks[k], more = _tracks(k, a, b, roles, settings, names)
+            found, more = _tracks(k, a, b, roles, settings, names)
+            tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
             said += more
         hosts = (
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
@@ -149,11 +221,12 @@ def move_scene(
         )
         parts: list[Part] = []
         named: set[str] = set()
-        for layer in layers_of(a, b, roles):
-            part = _part(layer, a, b, roles, tracks, hosts, frame)
+        for part in joined_parts(
+            _part(layer, a, b, roles, tracks, hosts, frame) for layer in layers_of(a, b, roles)
+        ):
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
-    return SceneMovement(tuple(parts), (a, b), roles, distinct(said))
+    return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
 
 
 def _settled(
@@ -172,7 +245,12 @@ def _settled(
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:
-    return sorted(range(len(roles.pairs)), key=lambda k: -float(a.sizes[roles.pairs[k].first]))
+    """Pairs so that what others keep to comes before them."""
+    first = [role.first for role in roles.pairs]
+    return sorted(
+        range(len(first)),
+        key=lambda k: (a.outlined[first[k]] >= 0, -round(float(a.sizes[first[k]]), 6), first[k]),
+    )
 
 
 def _tracks(
@@ -298,13 +376,14 @@ def _pair_part(
         curves = framed(tracks, frame, MOTION_TIMES)
         motion = WholeMotion.of(curves.mean(axis=2), curve_lengths(curves[0]))
     name = one.name or other.name
-    return PairPart(name, styles, tracks, frame, layer, motion)
+    piece = None
+    if one.filled and other.filled:
+        piece = next(((k, i.shape) for k, i in enumerate((one, other)) if i.cut), None)
+    return PairPart(name, styles, tracks, frame, layer, motion, piece)
 
 
 def _restyled(style: Style, frame: Frame) -> Style:
     """A style of the frame as it is at last, in the second drawing's own place."""
     from shapetween.scene.whole import moved_paint
 
-    linear = frame.linear
-    shift = frame.centres[1] - linear @ frame.centres[0]
-    return moved_paint(style, np.column_stack([linear, shift]), frame.growth)
+    return moved_paint(style, frame.forth, frame.growth)

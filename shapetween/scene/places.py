@@ -8,7 +8,7 @@ from shapetween.base.arrays import Curves, Floats, Index, Points
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
 
-__all__ = ["Pieces", "Places", "cut_alike"]
+__all__ = ["Pieces", "Places", "cut_alike", "run_of"]
 
 #: Chords that each curve's length is taken from. Places only have to correspond, so a few do.
 CHORDS = 24
@@ -180,3 +180,19 @@ def _parts(places: Places, shares: Floats) -> Curves:
         if k + 1 < len(parts):
             parts[k, 3] = parts[k + 1, 0]
     return parts
+
+
+def run_of(places: Places, start: float, end: float) -> Outline:
+    """An outline's part between two shares, ``start < end``, past its start if it is closed."""
+    if not places.outline.closed:
+        knots = np.unique(np.array([0.0, start, end, 1.0]))
+        curves = cut_alike(places, places, knots, knots).source
+        own = Places(Outline(curves, False))
+        first = int(np.abs(own.joints - start).argmin())
+        last = int(np.abs(own.joints - end).argmin())
+        return Outline(curves[first : max(last, first + 1)], False)
+    knots = np.array([start, end, start + 1.0])
+    curves = cut_alike(places, places, knots, knots).source
+    own = Places(Outline(curves, False))
+    last = int(np.abs(own.joints - (end - start)).argmin())
+    return Outline(curves[: max(last, 1)], False)

@@ -86,6 +86,8 @@ class Leaving:
         Share of a retracted line that is left at last.
     fades : bool
         Whether it fades all the time; else only at last.
+    last : float
+        Share of leaving from which on it fades, if only at last.
     """
 
     window: tuple[float, float]
@@ -94,6 +96,7 @@ class Leaving:
     drawn: Kept = "none"
     shortest: float = 0.0
     fades: bool = True
+    last: float = LAST
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +174,8 @@ class LonePart:
         if self.leaving.fades:
             seen = 1 - gone
         else:
-            seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
+            last = self.leaving.last
+            seen = float(1 - smooth_step(np.array([(gone - last) / (1 - last)]))[0])
         style = self.whole
         if has_gradient(style):
             curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)

@@ -88,10 +88,11 @@ def moved_paint(style: Style, matrix: Affine, growth: float) -> Style:
 
 
 def _frame(a: Scene, b: Scene, turn: float) -> Frame:
-    sides = b.box[1] - b.box[0]
-    if abs(abs(turn) - np.pi / 2) < 1e-9:
-        sides = sides[::-1]
-    growth = float(np.hypot(*sides) / a.scale) if abs(abs(turn) - np.pi / 4) > 1e-9 else 1.0
+    radii = []
+    for scene in (a, b):
+        points = np.concatenate([item.points for item in scene.items])
+        radii.append(float(np.sqrt(((points - scene.box.mean(axis=0)) ** 2).sum(axis=1).mean())))
+    growth = radii[1] / radii[0] if min(radii) > 0 else 1.0
     centres = np.stack([a.box.mean(axis=0), b.box.mean(axis=0)])
     return Frame(centres, turn, growth * np.eye(2))
 

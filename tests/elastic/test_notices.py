@@ -14,7 +14,7 @@ from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.outline import unfold
-from shapetween.pipeline import prepare
+from shapetween.pipeline import Options, prepare
 from tests.drawings import ring, square
 
 BOX = Box(0, 0, 100, 100)
@@ -56,7 +56,11 @@ def test_more_holes_than_are_matched_are_told(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(fill, "MOST_HOLES", 1)
     holes = [square(20 + 30 * k, 40, 15).reversed() for k in range(2)]
     moved = [square(22 + 30 * k, 44, 15).reversed() for k in range(2)]
-    prepared = prepare(drawing(square(10, 10, 80), *holes), drawing(square(12, 10, 76), *moved))
+    prepared = prepare(
+        drawing(square(10, 10, 80), *holes),
+        drawing(square(12, 10, 76), *moved),
+        Options(together=False),
+    )
     assert "too-many-holes" in kinds(prepared.notices)
 
 

@@ -1,5 +1,7 @@
 """One fill that becomes several: it is cut into the cells of its pieces, as a cell divides."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from shapetween.base.arrays import Index
@@ -34,7 +36,7 @@ def divided_areas(whole: Scene, parts: Scene) -> Found:
         cells = split_alike(Region(item.outer, item.holes), regions)
         if cells is None:
             continue
-        made = [Item((c.outer, *c.holes), item.style, item.shape, item.name) for c in cells]
+        made = [replace(item, rings=(c.outer, *c.holes), cut=True) for c in cells]
         found[k] = Division(made, list(zip(made, pieces.tolist(), strict=True)))
     return found
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from shapetween.model.paint import Gradient
-from shapetween.scene.cuts.division import Division, Found, piece_of, run_of
+from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.items import Item
-from shapetween.scene.places import Places
+from shapetween.scene.places import Places, run_of
 from shapetween.scene.relations import Scene
 
 __all__ = ["shared_lines"]

@@ -5,9 +5,9 @@ import numpy as np
 from shapetween.elastic.regions import Region
 from shapetween.elastic.splitting import split_alike
 from shapetween.scene.cuts.areas import families
-from shapetween.scene.cuts.division import Division, Found, piece_of, run_of
+from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.motion.choose import clockwise
-from shapetween.scene.places import Places
+from shapetween.scene.places import Places, run_of
 from shapetween.scene.relations import Scene
 
 __all__ = ["divided_rings"]

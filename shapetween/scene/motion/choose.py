@@ -11,26 +11,23 @@ from shapetween.deform.check import crossing_frames
 from shapetween.elastic.fill import FillSettings, morph_fill
 from shapetween.geometry.bezier import sub_curves
 from shapetween.geometry.polygon import cross
-from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
-from shapetween.scene.forms import Form, OpenLine, RoundedBox, Segment
+from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
+from shapetween.scene.motion.boxes import HALF_TIE, box_blend
+from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import (
     along_knots,
+    anchored_knots,
     graph_knots,
     half_knots,
+    kinks_of,
     ring_knots,
 )
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["Ends", "tracks_of"]
-
-#: Sides' ratio from which on a box is long and turns the short way, its length staying its length.
-LONG = 1.5
-
-#: Turn that is a tie between both ways, radians: it goes clockwise.
-HALF_TIE = 1e-6
+__all__ = ["SAME", "Ends", "clockwise", "is_blob", "tracks_of"]
 
 #: Residual of a line's best similarity, as shares: what a turn must leave at most, what part of the
 #: residual without one, and what that must be at least, for a line to turn on its way.
@@ -40,16 +37,23 @@ TURNED, TURNED_PART, UNTURNED = 0.25, 0.45, 0.08
 FARTHEST = np.deg2rad(100.0)
 
 #: What distance of ends costs beside an outline's own matching when a line's direction is chosen.
-ENDS = 0.15
+ENDS = 0.5
 
 #: Starts at which a ring may be cut to become a line.
 CUTS = 48
+
+#: Shares of a ring that a line may become, the rest growing out of its ends; and what part of the
+#: distance of all of it that of a part must be at most.
+PARTS, PART_BETTER = (1.0, 0.85, 0.7, 0.55), 0.75
 
 #: Distance of two places, as a share of the drawing, that are one.
 SAME = 2e-3
 
 #: Least size of an outline, as a share of the drawing, for which the engine is worth its time.
 LARGE = 0.22
+
+#: Share of its convex hull that an outline without limbs has.
+CONVEX = 0.95
 
 #: Times at which a blend is looked at for crossings.
 LOOKED = np.array([0.25, 0.5, 0.75])
@@ -92,6 +96,13 @@ def tracks_of(
         return _closed(ends, settings, names)
     if not first.closed and not second.closed:
         return (_open(ends),), ()
+    dots = [isinstance(form, Dot) for form in ends.forms]
+    if any(dots) and _round(first) and _round(second):
+        source, target = (
+            Places(item.outer if item.closed else _folded(item.outer)) for item in (first, second)
+        )
+        pieces = cut_alike(source, target, *ring_knots(source, target))
+        return (_blend(pieces, first, second, 0.0),), ()
     if first.closed:
         pieces = _opening(Places(first.outer), Places(second.outer))
     else:
@@ -138,31 +149,46 @@ def _closed(
     places = Places(clockwise(first.outer)), Places(clockwise(second.outer))
     one, other = ends.forms
     if isinstance(one, RoundedBox) and isinstance(other, RoundedBox):
-        outer = _boxes(one, other, *places)
-        return (outer, *_holes(ends, outer)), ()
+        outer = box_blend(one, other, *places)
+        return (outer, *hole_tracks(first, second, outer)), ()
+    anchored = anchored_knots(*places, SAME * ends.scale)
+    if anchored is not None:
+        found = _blend(cut_alike(*places, *anchored), first, second, 0.0)
+        if _sound(found):
+            return (found, *hole_tracks(first, second, found)), ()
     if ends.symmetric >= 0:
-        found = _halves(ends, *places)
-        if found is not None and _sound(found):
-            return (found, *_holes(ends, found)), ()
+        halves = _halves(ends, *places)
+        if halves is not None and _sound(halves):
+            return (halves, *hole_tracks(first, second, halves)), ()
     simple = None
-    if not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
+    blobs = is_blob(first) and is_blob(second)
+    if blobs or not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
         knots = ring_knots(*places)
         simple = _blend(cut_alike(*places, *knots), first, second, 0.0)
         if _sound(simple):
-            return (simple, *_holes(ends, simple)), ()
+            return (simple, *hole_tracks(first, second, simple)), ()
     try:
         return _elastic(ends, settings, names)
     except OutlineError:
         if simple is None:
             simple = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
-        return (simple, *_holes(ends, simple)), ()
+        return (simple, *hole_tracks(first, second, simple)), ()
+
+
+def is_blob(item: Item) -> bool:
+    """Whether an outline is round all over, without limbs that could swing."""
+    area = item.enclosed
+    sharp = len(kinks_of(Places(item.outer))[0])
+    return bool(
+        item.closed and not item.holes and not sharp and area.area > CONVEX * area.convex_hull.area
+    )
 
 
 def _elastic(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
     shapes = [
-        Shape(tuple(clockwise(ring) for ring in item.rings), item.style, item.name)
+        item.replaced((clockwise(item.outer), *item.holes)).as_shape
         for item in (ends.first, ends.second)
     ]
     part, said = morph_fill(shapes[0], shapes[1], settings, names, alone=False)
@@ -173,36 +199,6 @@ def _sound(track: Blend) -> bool:
     """Whether a ring never crosses itself on its way."""
     counts, closed = list(track.counts), list(track.closed)
     return not crossing_frames(track.curves(LOOKED), counts, closed).any()
-
-
-def _boxes(one: RoundedBox, other: RoundedBox, source: Places, target: Places) -> Blend:
-    """Sides to sides and corners to corners, by the turn that is least."""
-    if one.round and not other.round:
-        one = RoundedBox(one.centre, one.sides, other.angle, one.radii)
-    if other.round:
-        other = RoundedBox(other.centre, other.sides, one.angle, other.radii)
-    long = all(box.sides.max() > LONG * box.sides.min() for box in (one, other))
-    choices = []
-    for quarter in range(-1, 3):
-        turn = other.angle - one.angle + quarter * np.pi / 2
-        turn = float((turn + np.pi) % (2 * np.pi) - np.pi)
-        turn += np.pi * 2 * (turn < HALF_TIE - np.pi)
-        crossed = long and (one.sides[0] > one.sides[1]) != (
-            (other.sides[0] > other.sides[1]) != bool(quarter % 2)
-        )
-        choices.append((crossed, round(abs(turn), 6), turn < 0, turn, quarter))
-    _, _, _, turn, quarter = min(choices)
-    knots = []
-    for box, places, rolled in ((one, source, 0), (other, target, 2 * quarter)):
-        shares = places.nearest(np.roll(box.joints, -rolled, axis=0))
-        ahead = (shares - shares[0]) % 1.0
-        # Joints of no distance may come out in either order.
-        ahead[ahead > 0.98] = 0.0
-        ahead[0] = 0.0
-        ahead = np.maximum.accumulate(ahead)
-        knots.append(shares[0] + np.append(ahead, 1.0))
-    pieces = cut_alike(source, target, *knots)
-    return Blend(pieces, np.stack([one.centre, other.centre]), turn)
 
 
 def _halves(ends: Ends, source: Places, target: Places) -> Blend | None:
@@ -243,59 +239,6 @@ def _crossings(places: Places, middle: Points, flips: int) -> tuple[float, float
     return first, last + (last < first)
 
 
-def _holes(ends: Ends, outer: Blend) -> tuple[Track, ...]:
-    """Holes of a blended region: to the nearest one in its box, or closing where they are."""
-    first, second = ends.first, ends.second
-    if not first.holes and not second.holes:
-        return ()
-    items = [[Item((hole,), item.style) for hole in item.holes] for item in (first, second)]
-    boxes = first.box, second.box
-    local = [
-        np.array([(hole.centre - box[0]) / np.maximum(box[1] - box[0], 1e-12) for hole in side])
-        for side, box in zip(items, boxes, strict=True)
-    ]
-    pairs: list[tuple[int, int]] = []
-    if items[0] and items[1]:
-        from scipy.optimize import linear_sum_assignment
-
-        cost = np.linalg.norm(local[0][:, None] - local[1], axis=-1)
-        pairs = [(int(i), int(j)) for i, j in zip(*linear_sum_assignment(cost), strict=True)]
-        pairs = [(i, j) for i, j in pairs if cost[i, j] < 0.4]
-    tracks: list[Track] = []
-    for i, j in pairs:
-        one, other = items[0][i], items[1][j]
-        places = Places(one.outer), Places(other.outer)
-        from shapetween.scene.forms import form_of
-
-        forms = form_of(one), form_of(other)
-        if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):
-            found = _boxes(forms[0], forms[1], *places)
-        else:
-            knots = ring_knots(*places)
-            found = _blend(cut_alike(*places, *knots), one, other, 0.0)
-        tracks.append(_backwards(found))
-    for side, (own, others) in enumerate(((items[0], boxes[1]), (items[1], boxes[0]))):
-        known = {pair[side] for pair in pairs}
-        for k, hole in enumerate(own):
-            if k in known:
-                continue
-            there = others[0] + local[side][k] * (others[1] - others[0])
-            point = np.broadcast_to(there, hole.outer.curves.shape).copy()
-            sides = (hole.outer.curves, point)
-            centres = np.stack([hole.centre, there])
-            if side:
-                sides, centres = sides[::-1], centres[::-1]
-            tracks.append(_backwards(Blend(Pieces(*sides, True), centres, outer.turn)))
-    return tuple(tracks)
-
-
-def _backwards(track: Blend) -> Blend:
-    """A hole is drawn the other way round than the ring about it."""
-    pieces = track.pieces
-    back = Pieces(pieces.source[::-1, ::-1], pieces.target[::-1, ::-1], pieces.closed)
-    return Blend(back, track.centres, track.turn)
-
-
 def _open(ends: Ends) -> Blend:
     """Two open lines, from one end to the other."""
     first, second = ends.first, ends.second
@@ -316,10 +259,13 @@ def _open(ends: Ends) -> Blend:
             if backwards:
                 corners = 1 - other.corners[::-1], -other.turns[::-1]
             alike = len(one.corners) == len(corners[0]) > 0
-            if alike and (one.turns * corners[1] > 0).all():
+            # One corner may turn over, as an arrow's head does that points the other way.
+            if alike and (len(corners[0]) == 1 or (one.turns * corners[1] > 0).all()):
                 u = np.concatenate([[0.0], one.corners, [1.0]])
                 v = np.concatenate([[0.0], corners[0], [1.0]])
                 cost *= 0.6
+        if ends.symmetric >= 0:
+            u, v = _evened(u, v)
         way = np.linalg.norm(source.point(np.array([0.0, 1.0])) - outline.curves[[0, -1], [0, 3]])
         pieces = cut_alike(source, target, u, v)
         turn, rest = _turn(source, target, u, v)
@@ -328,6 +274,14 @@ def _open(ends: Ends) -> Blend:
             best = cost, _blend(pieces, first, second, turn)
     assert best is not None
     return best[1]
+
+
+def _evened(u: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Knots of two lines that are their own mirror images, made so themselves."""
+    both = np.unique(np.round(np.concatenate([u, 1 - u]), 9))
+    both[0], both[-1] = 0.0, 1.0
+    image = np.interp(both, u, v)
+    return both, np.asarray((image + 1 - np.interp(1 - both, u, v)) / 2)
 
 
 def _segments(first: Item, second: Item) -> Blend:
@@ -367,29 +321,52 @@ def _turn(source: Places, target: Places, u: Floats, v: Floats) -> tuple[float, 
 
 
 def _opening(ring: Places, line: Places) -> Pieces:
-    """A ring that is cut and becomes a line, where it is nearest to it, each in its own box."""
-    shares = np.linspace(0.0, 1.0, 33)
-    there = _in_box(line.point(shares))
-    every = _in_box(ring.point(np.arange(CUTS * 4) / (CUTS * 4)))
-    best: tuple[float, float, bool] | None = None
-    for k in range(CUTS):
+    """A ring that is cut and becomes a line, where it is nearest to it, each in its own box.
+
+    If only a part of it is near the line, that becomes the line, and the rest goes into its ends.
+    """
+    count = 4 * CUTS
+    steps = np.linspace(0.0, 1.0, 33)
+    there = line.point(steps)
+    every = ring.point(np.arange(count) / count)
+    best: tuple[float, float, bool, float] | None = None
+    for part in PARTS:
+        starts = np.arange(CUTS)[:, None]
         for backwards in (False, True):
-            at = (4 * k + (-1 if backwards else 1) * np.arange(33) * CUTS * 4 // 32) % (CUTS * 4)
-            cost = float(np.linalg.norm(every[at] - there, axis=1).mean())
+            ahead = np.round((-1 if backwards else 1) * part * steps * count).astype(np.intp)
+            at = (4 * starts + ahead) % count
+            costs = np.linalg.norm(_in_box(every[at]) - _in_box(there), axis=-1).mean(axis=1)
+            k = int(np.round(costs, 6).argmin())
+            cost = float(costs[k]) if part == 1.0 else float(costs[k]) / PART_BETTER
             if best is None or cost < best[0] - 1e-6:
-                best = cost, k / CUTS, backwards
+                best = cost, k / CUTS, backwards, part
     assert best is not None
-    outline = opened(ring, best[1])
-    if best[2]:
-        outline = outline.reversed()
-    source = Places(outline)
-    u, v, _ = along_knots(source, line)
-    return cut_alike(source, line, u, v)
+    _, start, backwards, part = best
+    rest = (1 - part) / 2
+    outline = opened(ring, (start + rest if backwards else start - rest) % 1.0)
+    source = Places(outline.reversed() if backwards else outline)
+    if part == 1.0:
+        u, v, _ = along_knots(source, line)
+        return cut_alike(source, line, u, v)
+    inner = np.array([0.0, rest, 1 - rest, 1.0])
+    return cut_alike(source, line, inner, np.array([0.0, 0.0, 1.0, 1.0]))
+
+
+def _round(item: Item) -> bool:
+    """Whether ends of a line look as its corners do."""
+    stroke = item.style.stroke
+    return stroke is not None and stroke.cap == stroke.join == "round" and not stroke.dashes
+
+
+def _folded(line: Outline) -> Outline:
+    """A line there and back, which looks the same under round caps."""
+    return Outline(np.concatenate([line.curves, line.reversed().curves]), True)
 
 
 def _in_box(points: Points) -> Points:
-    low, high = points.min(axis=0), points.max(axis=0)
-    return np.asarray((points - (low + high) / 2) / (float((high - low).max()) or 1.0))
+    low, high = points.min(axis=-2, keepdims=True), points.max(axis=-2, keepdims=True)
+    size = (high - low).max(axis=-1, keepdims=True)
+    return np.asarray((points - (low + high) / 2) / np.where(size > 0, size, 1.0))
 
 
 def opened(ring: Places, share: float) -> Outline:

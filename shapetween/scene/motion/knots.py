@@ -9,9 +9,17 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.bezier import end_tangents
 from shapetween.geometry.polygon import cross
-from shapetween.scene.places import Places
+from shapetween.scene.places import Places, run_of
 
-__all__ = ["along_knots", "graph_knots", "half_knots", "kinks_of", "ring_knots", "snapped"]
+__all__ = [
+    "along_knots",
+    "anchored_knots",
+    "graph_knots",
+    "half_knots",
+    "kinks_of",
+    "ring_knots",
+    "snapped",
+]
 
 #: Steps of an outline that are compared with those of the other. More follow detail more closely
 #: and cost time with their square.
@@ -23,6 +31,9 @@ SHIFT, SLOPE = 0.8, 0.06
 #: Least angle of a corner, radians, and greatest distance of two corners, as a share of the length,
 #: that become each other.
 CORNER, SNAP = np.deg2rad(22.0), 0.06
+
+#: Difference of the turns at two corners that are one, radians.
+ALIKE = np.deg2rad(60.0)
 
 #: Rotations of a ring that are looked at closely.
 STARTS = 4
@@ -63,27 +74,90 @@ def graph_knots(source: Places, target: Places, same: float) -> tuple[Floats, Fl
     same : float
         Distance of two x that are one.
     """
-    even = np.linspace(0.0, 1.0, 4 * STEPS + 1)
-    xs = []
+    found = []
     for places in (source, target):
-        at = np.union1d(even, places.joints)
-        x = places.point(at)[:, 0]
-        if x[0] > x[-1]:
+        graph = _graph(places)
+        if graph is None:
             return None
-        if (np.diff(x) <= 1e-6 * (x[-1] - x[0])).any():
-            return None
-        xs.append((at, x))
-    (at_a, x_a), (at_b, x_b) = xs
+        found.append(graph)
+    (at_a, x_a), (at_b, x_b) = found
     if max(abs(x_a[0] - x_b[0]), abs(x_a[-1] - x_b[-1])) > same:
         return None
+    if (x_a[0] < x_a[-1]) != (x_b[0] < x_b[-1]):
+        return None
     # At every corner of either, the place of the other that lies over it.
-    wanted = np.union1d(np.interp(source.joints, at_a, x_a), np.interp(target.joints, at_b, x_b))
-    keep = np.append(True, np.diff(wanted) > same / 10)
-    wanted = wanted[keep]
-    u, v = np.interp(wanted, x_a, at_a), np.interp(wanted, x_b, at_b)
-    u[0] = v[0] = 0.0
-    u[-1] = v[-1] = 1.0
-    return u, v
+    sign = 1.0 if x_a[0] < x_a[-1] else -1.0
+    own = [
+        np.interp(places.joints, at, sign * x, left=np.nan, right=np.nan)
+        for places, at, x in ((source, at_a, x_a), (target, at_b, x_b))
+    ]
+    wanted = np.unique(np.concatenate([*own, sign * x_a[[0, -1]]]))
+    wanted = wanted[np.isfinite(wanted)]
+    wanted = wanted[np.append(True, np.diff(wanted) > same / 10)]
+    u, v = np.interp(wanted, sign * x_a, at_a), np.interp(wanted, sign * x_b, at_b)
+    u[0], u[-1], v[0], v[-1] = at_a[0], at_a[-1], at_b[0], at_b[-1]
+    first, last = np.zeros(int(max(u[0], v[0]) > 0)), np.ones(int(min(u[-1], v[-1]) < 1))
+    return np.concatenate([first, u, last]), np.concatenate([first, v, last])
+
+
+def _graph(places: Places) -> tuple[Floats, Floats] | None:
+    """Shares and their x of the part of an open line that is a graph, upright ends apart."""
+    at = np.union1d(np.linspace(0.0, 1.0, 4 * STEPS + 1), places.joints)
+    x = places.point(at)[:, 0]
+    extent = float(np.ptp(x))
+    if extent == 0:
+        return None
+    inner = np.flatnonzero((np.abs(x - x[0]) > 1e-6 * extent) & (np.abs(x - x[-1]) > 1e-6 * extent))
+    if not len(inner):
+        return None
+    first, last = inner[0] - 1, inner[-1] + 1
+    at, x = at[first : last + 1], x[first : last + 1]
+    if first < 0 or len(x) < 3:
+        return None
+    steps = np.diff(x) * (1.0 if x[-1] > x[0] else -1.0)
+    return None if (steps <= 1e-7 * extent).any() else (at, x)
+
+
+def anchored_knots(source: Places, target: Places, same: float) -> tuple[Floats, Floats] | None:
+    """Knots of two rings that have corners in common, which stay; None of others.
+
+    Parameters
+    ----------
+    source, target : Places
+        Closed, both clockwise.
+    same : float
+        Distance of two corners that are one.
+    """
+    (at_a, kinks_a), (at_b, kinks_b) = kinks_of(source), kinks_of(target)
+    if len(at_a) < 2 or len(at_b) < 2:
+        return None
+    away = np.linalg.norm(source.point(at_a)[:, None] - target.point(at_b), axis=-1)
+    alike = (away <= same) & (np.abs(kinks_a[:, None] - kinks_b) < ALIKE)
+    pairs = [(float(at_a[i]), float(at_b[j])) for i, j in np.argwhere(alike).tolist()]
+    if len(pairs) < 2:
+        return None
+    pairs.sort()
+    u = np.array([p for p, _ in pairs])
+    v = np.unwrap(np.array([q for _, q in pairs]), period=1.0)
+    if (np.diff(u) <= 0).any() or (np.diff(v) <= 0).any() or v[-1] - v[0] >= 1:
+        return None
+    u, v = np.append(u, u[0] + 1), np.append(v, v[0] + 1)
+    knots: list[tuple[float, float]] = []
+    for k in range(len(u) - 1):
+        runs = [
+            Places(run_of(places, low, high))
+            for places, low, high in ((source, u[k], u[k + 1]), (target, v[k], v[k + 1]))
+        ]
+        found = graph_knots(runs[0], runs[1], same)
+        inner = along_knots(runs[0], runs[1])[:2] if found is None else found
+        ends = (u[k], u[k + 1] - u[k]), (v[k], v[k + 1] - v[k])
+        shares = [low + size * part for (low, size), part in zip(ends, inner, strict=True)]
+        knots += list(zip(*(x.tolist() for x in shares), strict=True))
+    rows = np.array(knots)
+    keep = np.append(True, (np.diff(rows, axis=0) > 0).any(axis=1))
+    rows = rows[keep]
+    rows[-1] = rows[0] + 1.0
+    return rows[:, 0], rows[:, 1]
 
 
 def ring_knots(source: Places, target: Places) -> tuple[Floats, Floats]:

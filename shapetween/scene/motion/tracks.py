@@ -13,7 +13,7 @@ from shapetween.geometry.rotation import rotations
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "Track"]
+__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "Shared", "Track"]
 
 
 class Track(Protocol):
@@ -153,6 +153,12 @@ class Frame:
         return np.asarray(moved.reshape(points.shape))
 
     @property
+    def forth(self) -> Affine:
+        """The map from the first drawing to the second, (2, 3)."""
+        linear = self.linear
+        return np.column_stack([linear, self.centres[1] - linear @ self.centres[0]])
+
+    @property
     def back(self) -> Affine:
         """The map from the second drawing to where it is in the frame, (2, 3)."""
         linear = np.linalg.inv(self.linear)
@@ -197,3 +203,26 @@ class Mirrored:
             if closed:
                 result[:, end - count : end] = result[:, end - count : end][:, ::-1, ::-1]
         return result
+
+
+class Shared:
+    """A track that several ask for the same times, and that is computed once for them.
+
+    Parameters
+    ----------
+    track : Track
+    """
+
+    def __init__(self, track: Track) -> None:
+        self.track = track
+        self.counts, self.closed = track.counts, track.closed
+        self._known: tuple[bytes, Curves] | None = None
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        key = t.tobytes()
+        if self._known is None or self._known[0] != key:
+            found = self.track.curves(t)
+            found.setflags(write=False)
+            self._known = key, found
+        return self._known[1]

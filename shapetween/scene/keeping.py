@@ -1,0 +1,78 @@
+"""What a pair keeps to as it moves: the outline of an area, and what the ends of lines lie on."""
+
+import numpy as np
+
+from shapetween.base.arrays import Index
+from shapetween.scene.assign import Roles
+from shapetween.scene.motion.carried import Carried, Tie, Tied
+from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.relations import Scene
+
+__all__ = ["kept_to"]
+
+#: Distance of a line's end from what it lies on, in widths.
+ON = 0.35
+
+#: Distance of an outline from the area's own border, as a share of the drawing, within which it
+#: simply moves as the area does.
+MOST_ENDS = 400
+
+
+def kept_to(
+    k: int,
+    found: tuple[Track, ...],
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    known: dict[int, tuple[Track, ...]],
+) -> tuple[Track, ...]:
+    """The tracks of one pair, kept to those pairs' that are known already.
+
+    Parameters
+    ----------
+    k : int
+        Which pair.
+    found : tuple of Track
+        Its own.
+    a, b : Scene
+    roles : Roles
+    known : dict of int to tuple of Track
+    """
+    role = roles.pairs[k]
+    one, other = a.items[role.first], b.items[role.second]
+    if one.filled or other.filled or len(found) != 1:
+        return found
+    (track,) = found
+    partner = {(pair.first, pair.second): m for m, pair in enumerate(roles.pairs)}
+    host = partner.get((int(a.outlined[role.first]), int(b.outlined[role.second])))
+    if host is not None and host in known and isinstance(track, Blend):
+        return (Carried(track.pieces, known[host][0], (a.scale + b.scale) / 2),)
+    if one.closed or other.closed or len(roles.pairs) > MOST_ENDS:
+        return found
+    ties = []
+    for last in (False, True):
+        ends = track.curves(np.array([0.0, 1.0]))
+        points = ends[:, -1, 3] if last else ends[:, 0, 0]
+        hosts = [_under(role.first, points[0], a), _under(role.second, points[1], b)]
+        for m in known:
+            pair = roles.pairs[m]
+            if pair.first in hosts[0] and pair.second in hosts[1]:
+                ties.append(Tie.of(track, last, known[m][0]))
+                break
+    return (Tied(track, tuple(ties)),) if ties else found
+
+
+def _under(k: int, point: Index, scene: Scene) -> list[int]:
+    """Lines whose path a point of item `k` lies on."""
+    import shapely
+
+    place = shapely.Point(point)
+    found = []
+    for j in np.flatnonzero(scene.touching[k]).tolist():
+        item = scene.items[j]
+        if j == k or item.filled:
+            continue
+        reach = ON * max(item.width, scene.items[k].width)
+        if shapely.distance(shapely.LineString(item.points), place) <= reach:
+            found.append(j)
+    return found

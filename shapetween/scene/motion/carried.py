@@ -1,0 +1,162 @@
+"""What keeps to another part while it moves: an area's own outline, and lines' ends on lines."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.geometry.bezier import evaluate
+from shapetween.model.outline import Outline
+from shapetween.scene.motion.tracks import Track
+from shapetween.scene.places import Pieces, Places
+
+__all__ = ["Carried", "Tie", "Tied"]
+
+#: How soon a part's own movement counts less the farther it is, as a share of the drawing.
+NEAR = 0.004
+
+
+@dataclass(frozen=True, eq=False)
+class Carried:
+    """A line that keeps to the outline that it runs along, at both ends of the movement.
+
+    Attributes
+    ----------
+    pieces : Pieces
+        The line's, at both ends.
+    host : Track
+        Of what it runs along.
+    scale : float
+        Of the drawing.
+    """
+
+    pieces: Pieces
+    host: Track
+    scale: float
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one ring."""
+        return (len(self.pieces.source),)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As its pieces are."""
+        return (self.pieces.closed,)
+
+    @cached_property
+    def _weights(self) -> tuple[Floats, Floats]:
+        """What each place of the outline counts for each control point, (4 P, H), at both ends."""
+        there = _places(self.host.curves(np.array([0.0, 1.0])))
+        found = []
+        for points, own in zip(there, (self.pieces.source, self.pieces.target), strict=True):
+            away = np.linalg.norm(own.reshape(-1, 2)[:, None] - points, axis=-1)
+            weights = 1 / (away + NEAR * self.scale) ** 4
+            found.append(weights / weights.sum(axis=1, keepdims=True))
+        return found[0], found[1]
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2); exactly the ends' own at 0 and 1."""
+        places = _places(self.host.curves(np.concatenate([[0.0, 1.0], t])))
+        moved = []
+        for k, own in enumerate((self.pieces.source, self.pieces.target)):
+            shift = self._weights[k] @ (places[2:] - places[k])
+            moved.append(own + shift.reshape(len(t), *own.shape))
+        part = t[:, None, None, None]
+        result = (1 - part) * moved[0] + part * moved[1]
+        result[:, 1:, 0] = result[:, :-1, 3]
+        if self.pieces.closed:
+            result[:, 0, 0] = result[:, -1, 3]
+        result[t == 0] = self.pieces.source
+        result[t == 1] = self.pieces.target
+        return np.asarray(result)
+
+
+def _places(curves: Curves) -> Points:
+    """Places along moving curves (F, P, 4, 2), four to each, (F, 4 P, 2)."""
+    at = np.array([0.0, 0.25, 0.5, 0.75])
+    return np.asarray(evaluate(curves, at).reshape(len(curves), -1, 2))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tie:
+    """An end of a line that lies on another part in both drawings.
+
+    Attributes
+    ----------
+    last : bool
+        Which end.
+    host : Track
+    places : ((int, float), (int, float))
+        Curve and parameter of the host where it lies at the start and at the end.
+    """
+
+    last: bool
+    host: Track
+    places: tuple[tuple[int, float], tuple[int, float]]
+
+    @classmethod
+    def of(cls, line: Track, last: bool, host: Track) -> "Tie":
+        """Tied where it lies."""
+        ends = np.array([0.0, 1.0])
+        own = line.curves(ends)
+        places = []
+        for curves, host_curves in zip(own, host.curves(ends), strict=True):
+            point = curves[-1, 3] if last else curves[0, 0]
+            there = Places(Outline(_first_ring(host_curves, host), host.closed[0]))
+            curve, t = there.locate(there.nearest(point[None]))
+            places.append((int(curve[0]), float(t[0])))
+        return cls(last, host, (places[0], places[1]))
+
+
+def _first_ring(curves: Curves, track: Track) -> Curves:
+    return curves[: track.counts[0]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tied:
+    """A line whose ends follow what they lie on; the pull fades to the other end.
+
+    Attributes
+    ----------
+    line : Track
+        One open line.
+    ties : tuple of Tie
+    """
+
+    line: Track
+    ties: tuple[Tie, ...]
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one line."""
+        return self.line.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """It is open."""
+        return self.line.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2)."""
+        curves = self.line.curves(t)
+        ends = self.line.curves(np.array([0.0, 1.0]))
+        share = np.broadcast_to(
+            (np.arange(curves.shape[1])[:, None] + np.linspace(0, 1, 4)) / curves.shape[1],
+            curves.shape[1:3],
+        )
+        result = curves.copy()
+        for tie in self.ties:
+            k = (-1, 3) if tie.last else (0, 0)
+            home = ends[:, k[0], k[1]]
+            hosts = tie.host.curves(np.concatenate([[0.0, 1.0], t]))
+            wanted = np.zeros((len(t), 2))
+            for end, (index, at) in enumerate(tie.places):
+                there = evaluate(hosts[:, index], np.array([at]))[:, 0]
+                weight = t if end else 1 - t
+                wanted += weight[:, None] * (home[end] + there[2:] - there[end])
+            pull = wanted - curves[:, k[0], k[1]]
+            weight = share if tie.last else 1 - share
+            result += pull[:, None, None] * weight[None, :, :, None]
+        return result

@@ -1,0 +1,88 @@
+"""Holes of a region whose outer ring is blended: each moves in the frame of that ring."""
+
+import numpy as np
+
+from shapetween.base.arrays import Affine, Points
+from shapetween.model.fit import mapped
+from shapetween.model.outline import Outline
+from shapetween.scene.forms import RoundedBox, form_of
+from shapetween.scene.items import Item
+from shapetween.scene.motion.boxes import box_blend
+from shapetween.scene.motion.knots import ring_knots
+from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.places import Pieces, Places, cut_alike
+
+__all__ = ["hole_tracks"]
+
+#: Greatest distance of two holes that become each other, as a share of the outer ring's box. More,
+#: and a hole crosses the region that another would have opened in.
+APART = 0.4
+
+
+def hole_tracks(first: Item, second: Item, outer: Blend) -> tuple[Track, ...]:
+    """Holes to the nearest ones, or closing where they are.
+
+    Parameters
+    ----------
+    first, second : Item
+        The region at both ends.
+    outer : Blend
+        Its outer ring's track.
+    """
+    if not first.holes and not second.holes:
+        return ()
+    forth = _affine(outer.pieces.source, outer.pieces.target)
+    back = _affine(outer.pieces.target, outer.pieces.source)
+    holes = [[Item((hole,), item.style) for hole in item.holes] for item in (first, second)]
+    pairs = _nearest(holes[0], holes[1], forth, second)
+    tracks: list[Track] = [_in_frame(_matched(holes[0][i], holes[1][j]), outer) for i, j in pairs]
+    for side, (own, matrix) in enumerate(zip(holes, (forth, back), strict=True)):
+        known = {pair[side] for pair in pairs}
+        for k, hole in enumerate(own):
+            if k not in known:
+                there = mapped(hole.centre, matrix)
+                closed = np.broadcast_to(there, hole.outer.curves.shape).copy()
+                ends = (closed, hole.outer.curves) if side else (hole.outer.curves, closed)
+                tracks.append(_in_frame(Pieces(*ends, True), outer))
+    return tuple(tracks)
+
+
+def _affine(source: Points, target: Points) -> Affine:
+    """The affine map that best takes curves (P, 4, 2) to others, (2, 3)."""
+    one, other = source.reshape(-1, 2), target.reshape(-1, 2)
+    middle = one.mean(axis=0)
+    found = np.linalg.lstsq(one - middle, other - other.mean(axis=0), rcond=1e-9)[0].T
+    return np.column_stack([found, other.mean(axis=0) - found @ middle])
+
+
+def _nearest(
+    first: list[Item], second: list[Item], forth: Affine, region: Item
+) -> list[tuple[int, int]]:
+    if not first or not second:
+        return []
+    from scipy.optimize import linear_sum_assignment
+
+    size = np.maximum(region.box[1] - region.box[0], 1e-12)
+    there = mapped(np.array([hole.centre for hole in first]), forth)
+    away = (there[:, None] - np.array([hole.centre for hole in second])) / size
+    cost = np.round(np.linalg.norm(away, axis=-1), 9)
+    rows, columns = linear_sum_assignment(cost)
+    return [(int(i), int(j)) for i, j in zip(rows, columns, strict=True) if cost[i, j] < APART]
+
+
+def _matched(one: Item, other: Item) -> Pieces:
+    places = Places(_clockwise(one.outer)), Places(_clockwise(other.outer))
+    forms = form_of(one), form_of(other)
+    if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):
+        return box_blend(forms[0], forms[1], *places).pieces
+    return cut_alike(*places, *ring_knots(*places))
+
+
+def _clockwise(ring: Outline) -> Outline:
+    return ring if ring.area > 0 else ring.reversed()
+
+
+def _in_frame(pieces: Pieces, outer: Blend) -> Blend:
+    """A hole in the frame of its outer ring, run the other way round than that."""
+    back = Pieces(pieces.source[::-1, ::-1], pieces.target[::-1, ::-1], pieces.closed)
+    return Blend(back, outer.centres, outer.turn)
