@@ -105,3 +105,24 @@ def resvg_pictures(frames: Sequence[str]) -> list[Picture]:
         white = Image.new("RGBA", picture.size, "white")
         shots.append(np.asarray(Image.alpha_composite(white, picture).convert("RGB"), np.int16))
     return shots
+
+
+def css_pictures(
+    browser: Browser, sheet: str, name: str, seconds: Sequence[float], body: str
+) -> list[Picture]:
+    """What a style sheet makes of elements at moments; `body` is the element, or has it inside."""
+    count = len(seconds)
+    browser.page.set_viewport_size({"width": SIZE * count, "height": SIZE})
+    content = f"<div class=box>{body}</div>" * count
+    page = BOXES.format(size=SIZE, boxes=content)
+    browser.page.set_content(f"{page}<style>{sheet}</style>")
+    browser.page.evaluate(
+        """([name, seconds]) => document.querySelectorAll("." + name).forEach((element, k) => {
+            for (const animation of element.getAnimations()) {
+                animation.pause();
+                animation.currentTime = 1000 * seconds[k];
+            }
+        })""",
+        [name, list(seconds)],
+    )
+    return screenshots(browser, count)

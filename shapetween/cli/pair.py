@@ -82,6 +82,13 @@ BACKGROUND = click.option(
     "being seen, being scrolled past, or being dragged across.",
 )
 @click.option(
+    "--css",
+    type=Name("path", "shape", "d"),
+    default="path",
+    show_default=True,
+    help="What .css animates: a clip path in pixels, one that scales with its box, or d of a path.",
+)
+@click.option(
     "--fps",
     type=Real(0.01, 240),
     metavar="N",

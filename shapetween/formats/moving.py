@@ -85,6 +85,14 @@ class Moving(ABC):
         """
         return self._text(".svg", options)
 
+    def css(self, **options: Any) -> str:
+        """All of it, if it is one filled shape, as a style sheet; `options` as for `write`."""
+        return self._text(".css", options)
+
+    def vector_drawable(self, **options: Any) -> str:
+        """All of it as an animated vector drawable of Android; `options` as for `write`."""
+        return self._text(".xml", options)
+
     def lottie(self, **options: Any) -> str:
         """All of it as the text of a Lottie animation; `options` as for `write`."""
         return self._text(".json", options)

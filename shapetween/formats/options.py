@@ -9,7 +9,10 @@ from typing import Any, Literal
 from shapetween.base.errors import OptionError
 from shapetween.timing import defaults
 
-__all__ = ["STARTS", "WriteOptions", "write_names", "write_options"]
+__all__ = ["CSS_FORMS", "STARTS", "WriteOptions", "write_names", "write_options"]
+
+#: What a style sheet can animate.
+CSS_FORMS = ("path", "shape", "d")
 
 #: What can set a movement going; an SVG by itself has only the first three.
 STARTS = ("load", "click", "hover", "seen", "scroll", "drag")
@@ -41,6 +44,9 @@ class WriteOptions:
     start : {"load", "click", "hover", "seen", "scroll", "drag"}
         What sets it going: the page, a click, with the next one going back, a pointer over it,
         being seen, being scrolled past, or being dragged across.
+    css : {"path", "shape", "d"}
+        What a style sheet animates: a clip path in pixels, one in shares of its box, or the data of
+        a path in an SVG.
     fps : float, optional
         Frames a second of moving pictures; `shapetween.timing.defaults.FPS` if left out.
     size : (width, height) or (width,), optional
@@ -57,6 +63,7 @@ class WriteOptions:
     precision: int | None = None
     frames: int = 24
     start: Literal["load", "click", "hover", "seen", "scroll", "drag"] = "load"
+    css: Literal["path", "shape", "d"] = "path"
     fps: float | None = None
     size: tuple[int, ...] | None = None
     background: str | None = None
@@ -86,6 +93,8 @@ class WriteOptions:
             raise OptionError(f"{self.frames} frames: expected from 1 to {defaults.MOST_FRAMES}")
         if self.start not in STARTS:
             raise OptionError(f"start {self.start!r}: expected {', '.join(STARTS)}")
+        if self.css not in CSS_FORMS:
+            raise OptionError(f"css {self.css!r}: expected {', '.join(CSS_FORMS)}")
         if self.fps is not None and not 0 < self.fps < float("inf"):
             raise OptionError(f"fps {self.fps}: expected frames a second, above 0")
         if self.size is not None and not (

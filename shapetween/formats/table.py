@@ -156,6 +156,11 @@ def _writers() -> Iterator[Writer]:
     lottie = "shapetween.formats.lottie.writer"
     yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed)
     yield Writer(".lottie", "a packed Lottie animation", f"{lottie}:dot_lottie", keyed)
+    home = "shapetween.formats.css:css"
+    yield Writer(".css", "a style sheet", home, (*keyed, "size", "css"))
+    home = "shapetween.formats.android:vector_drawable"
+    once = ("duration", "easing", "hold", "keyframes", "precision")
+    yield Writer(".xml", "an Android vector drawable", home, once)
     yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
 
 

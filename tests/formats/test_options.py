@@ -29,6 +29,7 @@ BAD: list[tuple[dict[str, object], str]] = [
     ({"size": (3, 3, 3)}, "size (3, 3, 3)"),
     ({"background": "lilac-ish"}, "background 'lilac-ish': expected a colour such as #fff"),
     ({"background": "none"}, "background 'none'"),
+    ({"css": "clip"}, "css 'clip': expected path, shape, d"),
     ({"start": "wish"}, "start 'wish': expected load, click, hover, seen, scroll, drag"),
     ({"speed": 3}, "speed: is no option of writing; expected duration, "),
 ]
@@ -63,6 +64,7 @@ def test_an_option_without_effect_is_refused(writer) -> None:  # type: ignore[no
         "precision": 2,
         "frames": 3,
         "start": "click",
+        "css": "shape",
         "fps": 12.0,
         "size": (9, 9),
         "background": "#fff",

@@ -8,6 +8,7 @@ from shapetween.formats.keyed import keyed
 from shapetween.formats.lottie.paints import paint_losses, painted, visible
 from shapetween.formats.lottie.properties import Json, fixed, moving, moving_values, short
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.plain import plain_styles
 from shapetween.model.movement import Movement, Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
@@ -67,7 +68,7 @@ def _part_layers(
     part: Part, name: str, grid: Grid, options: WriteOptions, length: float
 ) -> tuple[list[Json], list[str]]:
     """A layer for each kind of paint that a part has in its time."""
-    styles = [part.style(t) for t in np.clip(PAINT_TIMES, *INSIDE).tolist()]
+    styles = plain_styles(part, np.clip(PAINT_TIMES, *INSIDE).tolist())
     if not visible(styles):
         return [], []
     keys = keyed(part, options, max(grid.box.width, grid.box.height))

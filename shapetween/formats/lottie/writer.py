@@ -17,6 +17,7 @@ from shapetween.formats.grid import grid_of
 from shapetween.formats.lottie.layers import SIDE, leg_layers, transform
 from shapetween.formats.lottie.properties import FRAME_DECIMALS, Json, short
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.plain import group_losses
 from shapetween.formats.table import Segments, Written
 from shapetween.timing.easing import LINEAR, handles_of
 from shapetween.timing.timeline import Passage, Timeline
@@ -98,7 +99,8 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
             _remapped(index, leg, passage, root, options, whole, ends=passage.until == last)
             for index, (leg, passage) in enumerate(passages, start=1)
         ]
-    return root, [loss for _, losses in made for loss in losses]
+    lost = group_losses(movements, "Lottie")
+    return root, [*lost, *(loss for _, losses in made for loss in losses)]
 
 
 def _remapped(

@@ -17,6 +17,7 @@ from shapetween.formats.module.code import runtime, types
 from shapetween.formats.module.encoding import vlq
 from shapetween.formats.module.styles import track_nodes
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.plain import group_losses, plain_styles
 from shapetween.formats.sampled import Sampled, enough_times, sampled
 from shapetween.formats.table import Segments, Written
 from shapetween.model.movement import Part
@@ -49,7 +50,8 @@ HEAD = (
 def module(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """All of it as a JavaScript module, with its types beside it."""
     del observe
-    return Written(module_text(segments, options), beside={".d.mts": types()})
+    losses = tuple(dict.fromkeys(group_losses(segments.movements, ".mjs")))
+    return Written(module_text(segments, options), losses, {".d.mts": types()})
 
 
 def module_text(segments: Segments, options: WriteOptions) -> str:
@@ -99,7 +101,7 @@ def _part(part: Part, grid: Grid, decimals: int) -> list[Any]:
     inside = np.concatenate([[0.0], np.clip(times, INSIDE, 1 - INSIDE), [1.0]])
     shape = sampled(part, inside, size)
     text, scales = _curves(shape, times, grid, TOLERANCE * size / grid.step)
-    styles = [part.style(t) for t in np.clip(PAINT_TIMES, INSIDE, 1 - INSIDE).tolist()]
+    styles = plain_styles(part, np.clip(PAINT_TIMES, INSIDE, 1 - INSIDE).tolist())
     tracks = [
         [
             _short(PAINT_TIMES[track.start]),

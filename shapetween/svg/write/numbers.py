@@ -1,7 +1,7 @@
-"""Numbers and path data in as few bytes as SVG allows.
+"""Numbers, and the path data of frames, in as few bytes as SVG allows.
 
-Path data holds only absolute ``M``, ``C`` and ``Z``, in the same order in every frame, so that a
-browser can interpolate between frames number by number. A number has no zero before its point and
+Frames hold only absolute ``M``, ``C`` and ``Z``, in the same order in every frame, so that any
+program can blend between them number by number. A number has no zero before its point and
 none at its end, a minus sign or a second point parts it from the number before, and a run of
 curves has one ``C``: the grammar of SVG 2, section 9.3.9, read as tightly as it may be.
 """
@@ -15,7 +15,15 @@ from shapetween.base.arrays import Curves, Floats
 from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Box, Drawing
 
-__all__ = ["decimals_for", "decimals_of", "number", "path_data", "written"]
+__all__ = [
+    "characters",
+    "check_digits",
+    "decimals_for",
+    "decimals_of",
+    "number",
+    "path_data",
+    "written",
+]
 
 #: Share of the view box's larger side that a last decimal may be worth, before it is rounded to a
 #: power of ten. Larger and curves show steps when enlarged; smaller and files grow unseen.
@@ -138,14 +146,25 @@ def path_data(
     values = curves.reshape(len(curves), -1)[:, order]
     if not values.size:
         return ("",) * len(curves)
-    peak = float(np.abs(values).max()) * 10.0**decimals
+    check_digits(values, decimals)
+    table = characters(np.rint(values * 10.0**decimals).astype(np.int64), decimals, letters, ends)
+    return tuple(frame.tobytes().translate(None, b"\0").decode("ascii") for frame in table)
+
+
+def check_digits(values: Floats, decimals: int) -> None:
+    """Check that doubles carry the decimals of numbers of any shape.
+
+    Raises
+    ------
+    OptionError
+        If they do not.
+    """
+    peak = float(np.abs(values).max(initial=0.0)) * 10.0**decimals
     if peak >= LARGEST_EXACT:
         raise OptionError(
             f"a coordinate of {peak / 10.0**decimals:.3g} has no {decimals} decimals; "
             "expected a lower precision"
         )
-    table = _characters(np.rint(values * 10.0**decimals).astype(np.int64), decimals, letters, ends)
-    return tuple(frame.tobytes().translate(None, b"\0").decode("ascii") for frame in table)
 
 
 def _layout(
@@ -170,10 +189,13 @@ def _layout(
     )
 
 
-def _characters(
+def characters(
     scaled: np.ndarray, decimals: int, letters: np.ndarray, ends: np.ndarray
 ) -> np.ndarray:
-    """Characters of whole numbers of last decimals, (F, K) to (F, K, W), 0 where there is none."""
+    """Characters of whole numbers of last decimals, (F, K) to (F, K, W), 0 where there is none.
+
+    `letters` and `ends` are the characters before and after each of the K numbers, 0 for none.
+    """
     size = np.abs(scaled)
     whole_digits = len(str(int(size.max()) // 10**decimals))
     width = whole_digits + decimals

@@ -1,0 +1,41 @@
+"""Groups leave their opacity to their shapes, and what else they do is told of."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from shapetween.formats.plain import group_losses, plain_style
+from shapetween.model.drawing import Box, Shape
+from shapetween.model.effects import Filter, Group, Mask, Primitive
+from shapetween.model.movement import Movement
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Style
+from tests.movements import FormulaPart, circle, spin
+
+RING = circle(np.array([50.0, 50.0]), 30.0)
+
+
+def movement(*styles: Style) -> Movement:
+    parts = tuple(FormulaPart(RING, spin(0.2), style, style, "ring") for style in styles)
+    return Movement(parts, Box(0, 0, 100, 100))
+
+
+def test_opacities_multiply() -> None:
+    groups = (Group(1, opacity=0.5), Group(2, opacity=0.5))
+    assert plain_style(Style(opacity=0.8, groups=groups)) == Style(opacity=0.2)
+
+
+def test_what_a_group_does_is_told_of_once() -> None:
+    blur = Filter((Primitive("feGaussianBlur", ()),), (0, 0, 1, 1), True, True, (1, 0, 0, 1, 0, 0))
+    mask = Mask((Shape((Outline(RING),), Style()),))
+    whole = Group(1, blend="multiply", filter=blur, masks=(mask,))
+    assert group_losses([movement(Style(groups=(whole,)))], ".css") == [
+        "ring: its mask is left out in .css",
+        "ring: its filter is left out in .css",
+        "ring: its blend mode is left out in .css",
+    ]
+    fading = Style(groups=(Group(1, opacity=0.5),))
+    assert group_losses([movement(fading)], ".css") == []
+    told = ["shapes of one group fade each by itself in .css"]
+    assert group_losses([movement(fading, fading)], ".css") == told
+    assert group_losses([movement(fading, replace(fading, groups=()))], ".css") == []
