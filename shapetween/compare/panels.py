@@ -10,7 +10,8 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.compare.figures import TIMES
 from shapetween.compare.variants import Variant
 from shapetween.model.drawing import Box
-from shapetween.svg.write.animate import Clock, animate
+from shapetween.svg.write.animate import animate
+from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import GradientDefs, add_shape, document, text_of
 from shapetween.svg.write.numbers import decimals_for, number
 from shapetween.svg.write.smil import add_part
@@ -60,7 +61,7 @@ def seen_box(variants: Sequence[Variant]) -> Box:
 def playing(variant: Variant, box: Box) -> str:
     """A variant as an inline ``<svg>`` that moves from 0 to 1 in a second, its mesh on top."""
     root = document(box, "")
-    clock = Clock(Schedule.of("linear"), True, Timeline(1.0, "once"))
+    clock = Clock(Schedule.of("linear"), True, Timeline((1.0,), "once"))
     gradients = _gradients(root, box)
     _add_movement(root, variant, box, clock, gradients)
     mesh = ET.SubElement(root, "g", {"class": "mesh"})
@@ -95,7 +96,7 @@ def side_by_side(variants: Sequence[Variant], title: str, duration: float) -> st
     root = document(Box(0, 0, width, height), title)
     root.set("font-family", "system-ui,'Segoe UI','DejaVu Sans',sans-serif")
     ET.SubElement(root, "rect", {"width": "100%", "height": "100%", "fill": "#fff"})
-    clock = Clock(Schedule.of("ease-in-out"), True, Timeline(duration, "alternate"))
+    clock = Clock(Schedule.of("ease-in-out"), True, Timeline((duration,), "alternate"))
     gradients = _gradients(root, box)
     for k, variant in enumerate(variants):
         x, y = GAP + k % columns * pitch[0], GAP / 2 + k // columns * pitch[1]

@@ -79,7 +79,7 @@ class WriteOptions:
         from shapetween.timing.easing import easing_function
         from shapetween.timing.timeline import Timeline
 
-        Timeline(self.duration, self.loop, self.hold)
+        Timeline((self.duration,), self.loop, self.hold)
         if self.easing != defaults.EASING:
             easing_function(self.easing)
         most = defaults.MOST_KEYFRAMES

@@ -90,7 +90,8 @@ def _order(steps: int, held: int, options: WriteOptions, segments: Segments) -> 
     loop = "repeat" if options.loop == "once" else options.loop
     cyclic = loop == "alternate" or (options.loop == "repeat" and segments.closed)
     closed = cyclic and segments.closed
-    plan = Timeline(float(steps), loop, float(held), len(segments.movements), closed)
+    ways = (float(steps),) * len(segments.movements)
+    plan = Timeline(ways, loop, float(held), closed)
     shown = (plan.shown(float(k)) for k in range(round(plan.seconds) + (not cyclic)))
     return [leg * steps + round(clock * steps) for leg, clock in shown]
 

@@ -8,7 +8,8 @@ import numpy as np
 from shapetween.base.arrays import Floats, Points, Quads
 from shapetween.geometry.homography import apply_homography, quad_homographies
 from shapetween.model.drawing import Box
-from shapetween.svg.write.animate import Clock, animate
+from shapetween.svg.write.animate import animate
+from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import document, text_of
 from shapetween.svg.write.numbers import number
 from shapetween.timing.schedule import Schedule
@@ -74,7 +75,7 @@ class Canvas:
         self._root.set("font-family", "system-ui,'Segoe UI','DejaVu Sans',sans-serif")
         ET.SubElement(self._root, "rect", {"width": "100%", "height": "100%", "fill": PAPER})
         schedule = Schedule.of("ease-in-out", SAMPLES)
-        self._clock = Clock(schedule, True, Timeline(seconds, "alternate"))
+        self._clock = Clock(schedule, True, Timeline((seconds,), "alternate"))
 
     @property
     def times(self) -> Floats:

@@ -97,8 +97,8 @@ def _seconds(job: Job, settings: dict[str, Any]) -> float:
     from shapetween.timing.timeline import Timeline
 
     options = write_options(settings)
-    plan = Timeline(options.duration, options.loop, options.hold, len(job.legs), job.closed)
-    return plan.seconds
+    ways = (options.duration,) * len(job.legs)
+    return Timeline(ways, options.loop, options.hold, job.closed).seconds
 
 
 def _moved(job: Job, *, quick: bool) -> "Chain | Morph":

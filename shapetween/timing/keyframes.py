@@ -12,7 +12,7 @@ __all__ = ["KEYFRAME_TOLERANCE", "keyframes"]
 KEYFRAME_TOLERANCE = 1.8e-4
 
 
-def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
+def keyframes(samples: Floats, times: Floats, tolerance: float, most: int | None = None) -> Index:
     """Choose samples between which straight lines stay near all the others.
 
     Parameters
@@ -24,6 +24,9 @@ def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
     tolerance : float
         Greatest distance allowed between a point and the straight line in time that stands for it.
         Moving a Bezier's control points moves no point of the curve farther.
+    most : int, optional
+        How many keyframes are of use; with one more than that the search ends, the last sample not
+        among them.
 
     Returns
     -------
@@ -41,7 +44,7 @@ def keyframes(samples: Floats, times: Floats, tolerance: float) -> Index:
     chosen = [0]
     # The points that were too far before are the likeliest to be so again.
     watched: list[int] = []
-    while chosen[-1] < last:
+    while chosen[-1] < last and (most is None or len(chosen) <= most):
         start = chosen[-1]
         end = start + 1
         while end < last:

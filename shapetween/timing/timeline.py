@@ -6,7 +6,7 @@ passages through that clock.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, get_args
 
 from shapetween.base.arrays import Floats
@@ -22,7 +22,7 @@ SHORTEST = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Passage:
-    """One way through a leg, in shares of the whole.
+    """One way through a leg, in seconds.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Passage:
     back: bool
 
     def at(self, clock: Floats) -> Floats:
-        """Shares of the whole at which rising moments (M,) of the leg's own clock come, rising."""
+        """Seconds at which rising moments (M,) of the leg's own clock come, rising."""
         length = self.end - self.start
         return self.end - clock[::-1] * length if self.back else self.start + clock * length
 
@@ -52,14 +52,12 @@ class Timeline:
 
     Attributes
     ----------
-    duration : float
-        Seconds of one way through a leg.
+    ways : tuple of float
+        Seconds of one way through each leg: of the movements that follow each other.
     loop : {"once", "repeat", "alternate"}
         Stay at the end, start over, or go back and start over.
     hold : float
         Seconds that each drawing stands still.
-    legs : int
-        How many movements follow each other.
     closed : bool
         Whether the last drawing is the first: starting over with it, they are one rest.
 
@@ -69,16 +67,16 @@ class Timeline:
         If a time or the loop is none.
     """
 
-    duration: float
+    ways: tuple[float, ...]
     loop: Loop
     hold: float = 0.0
-    legs: int = 1
     closed: bool = False
 
     def __post_init__(self) -> None:
         """Check what an option may have asked for."""
-        if not (math.isfinite(self.duration) and self.duration >= SHORTEST):
-            raise OptionError(f"duration {self.duration}: expected seconds, at least {SHORTEST}")
+        for way in self.ways:
+            if not (math.isfinite(way) and way >= SHORTEST):
+                raise OptionError(f"duration {way}: expected seconds, at least {SHORTEST}")
         if not (math.isfinite(self.hold) and self.hold >= 0):
             raise OptionError(f"hold {self.hold}: expected seconds, 0 or more")
         if self.loop not in get_args(Loop):
@@ -87,44 +85,41 @@ class Timeline:
     @property
     def seconds(self) -> float:
         """Length of the whole, until it ends or starts over."""
-        ways = 2 * self.legs if self.loop == "alternate" else self.legs
+        passages = self._passages
         # Once, the last drawing stays anyway; back at the first, the rest is the one to come.
         last = self.hold if self.loop == "repeat" and not self.closed else 0.0
-        return ways * self._step + last
+        return passages[-1][1].end + last
 
     def passages(self, leg: int) -> tuple[Passage, ...]:
         """When one of the legs is to be seen, in order."""
-        there = self._passage(leg, back=False)
-        if self.loop != "alternate":
-            return (there,)
-        return there, self._passage(2 * self.legs - 1 - leg, back=True)
+        return tuple(passage for other, passage in self._passages if other == leg)
 
     def shown(self, seconds: float) -> tuple[int, float]:
         """What a moment shows, from 0 to `seconds`: a leg, and its time on an even clock.
 
         Once, the last drawing stays; else, before the whole starts over, it is still there.
         """
-        place = min(int(seconds // self._step), len(self._order) - 1)
-        leg, back = self._order[place]
-        share = (seconds - place * self._step - self.hold) / self.duration
+        passages = self._passages
+        place = sum(passage.until <= seconds for _, passage in passages[:-1])
+        leg, passage = passages[place]
+        share = (seconds - passage.start) / (passage.end - passage.start)
         share = min(max(share, 0.0), 1.0)
-        return leg, 1.0 - share if back else share
+        return leg, 1.0 - share if passage.back else share
 
     @property
-    def _order(self) -> list[tuple[int, bool]]:
-        """The legs in the order they are played, and whether backwards."""
-        there = [(leg, False) for leg in range(self.legs)]
-        back = [(leg, True) for leg in reversed(range(self.legs))]
-        return there + back if self.loop == "alternate" else there
-
-    @property
-    def _step(self) -> float:
-        """Seconds from one rest to the next."""
-        return self.hold + self.duration
-
-    def _passage(self, place: int, *, back: bool) -> Passage:
-        """The one that comes at some place among all."""
-        shown, end = (n * self._step / self.seconds for n in (place, place + 1))
-        start = (place * self._step + self.hold) / self.seconds
-        last = self.loop == "repeat" and place == self.legs - 1
-        return Passage(shown, start, end, 1.0 if last else end, back)
+    def _passages(self) -> list[tuple[int, Passage]]:
+        """The legs in the order they are played, each with when that is."""
+        order = [(leg, False) for leg in range(len(self.ways))]
+        if self.loop == "alternate":
+            order += [(leg, True) for leg in reversed(range(len(self.ways)))]
+        found = []
+        now = 0.0
+        for leg, back in order:
+            start = now + self.hold
+            end = start + self.ways[leg]
+            found.append((leg, Passage(now, start, end, end, back)))
+            now = end
+        if self.loop == "repeat" and not self.closed:
+            leg, last = found[-1]
+            found[-1] = leg, replace(last, until=last.end + self.hold)
+        return found

@@ -64,7 +64,8 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
     box = movements[0].box
     ends = [drawing for m in movements for drawing in m.at(np.array([0.0, 1.0]))]
     grid = grid_of(ends, options.precision)
-    plan = Timeline(options.duration, options.loop, options.hold, len(movements), segments.closed)
+    ways = (options.duration,) * len(movements)
+    plan = Timeline(ways, options.loop, options.hold, segments.closed)
     whole = plan.seconds * FRAMES_A_SECOND
     # Players show nothing at the very end; where it is not the start, one frame more shows it.
     starts_over = options.loop == "alternate" or (options.loop == "repeat" and segments.closed)
@@ -82,7 +83,7 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
         "ddd": 0,
         "assets": [],
         "layers": [],
-        "markers": [*_markers(plan, whole), {"cm": "reduced motion", "tm": 0, "dr": 1}],
+        "markers": [*_markers(plan), {"cm": "reduced motion", "tm": 0, "dr": 1}],
     }
     length = options.duration * FRAMES_A_SECOND
     made = [leg_layers(movement, grid, options, length) for movement in movements]
@@ -96,7 +97,7 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
         passages = [(k, passage) for k in range(len(movements)) for passage in plan.passages(k)]
         last = max(passage.until for _, passage in passages)
         root["layers"] = [
-            _remapped(index, leg, passage, root, options, whole, ends=passage.until == last)
+            _remapped(index, leg, passage, root, options, ends=passage.until == last)
             for index, (leg, passage) in enumerate(passages, start=1)
         ]
     lost = group_losses(movements, "Lottie")
@@ -109,7 +110,6 @@ def _remapped(
     passage: Passage,
     root: Json,
     options: WriteOptions,
-    whole: float,
     *,
     ends: bool,
 ) -> Json:
@@ -121,12 +121,11 @@ def _remapped(
         values = values[::-1]
     ease = {"o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}}
     stand = {"o": {"x": [0], "y": [0]}, "i": {"x": [1], "y": [1]}}
-    start, end = (short(share * whole, FRAME_DECIMALS) for share in (passage.start, passage.end))
-    shown = short(passage.shown * whole, FRAME_DECIMALS)
+    start, end, shown = map(_frames, (passage.start, passage.end, passage.shown))
     keys: list[Json] = [{"t": start, "s": [values[0]], **ease}, {"t": end, "s": [values[1]]}]
     if shown < start:
         keys.insert(0, {"t": shown, "s": [values[0]], **stand})
-    until = root["op"] if ends else short(passage.until * whole, FRAME_DECIMALS)
+    until = root["op"] if ends else _frames(passage.until)
     return {
         "ddd": 0,
         "ty": 0,
@@ -145,17 +144,22 @@ def _remapped(
     }
 
 
-def _markers(plan: Timeline, whole: float) -> list[Json]:
+def _markers(plan: Timeline) -> list[Json]:
     """Every way by its name, for players that play a part of it."""
     return [
         {
             "cm": _name(leg, passage),
-            "tm": short(passage.start * whole, FRAME_DECIMALS),
-            "dr": short((passage.end - passage.start) * whole, FRAME_DECIMALS),
+            "tm": _frames(passage.start),
+            "dr": _frames(passage.end - passage.start),
         }
-        for leg in range(plan.legs)
+        for leg in range(len(plan.ways))
         for passage in plan.passages(leg)
     ]
+
+
+def _frames(seconds: float) -> float:
+    """Seconds as frames."""
+    return short(seconds * FRAMES_A_SECOND, FRAME_DECIMALS)
 
 
 def _name(leg: int, passage: Passage) -> str:

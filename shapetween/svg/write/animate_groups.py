@@ -11,7 +11,8 @@ from shapetween.model.drawing import Shape
 from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.movement import Part
 from shapetween.model.paint import Style
-from shapetween.svg.write.animate import Clock, animate, animate_choice, animate_number
+from shapetween.svg.write.animate import animate, animate_choice, animate_number
+from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import GradientDefs, alpha_text
 from shapetween.svg.write.groups import (
     Nest,

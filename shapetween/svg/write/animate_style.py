@@ -13,12 +13,12 @@ import numpy as np
 from shapetween.model.paint import Colour, Gradient, Paint, Stroke
 from shapetween.model.tracks import StyleTrack
 from shapetween.svg.write.animate import (
-    Clock,
     animate,
     animate_choice,
     animate_number,
     animate_transform,
 )
+from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import (
     ALPHA_DECIMALS,
     POINT_NAMES,

@@ -30,6 +30,7 @@ __all__ = [
     "shape_path",
     "style_attributes",
     "text_of",
+    "url_of",
 ]
 
 #: Decimals of alphas, offsets and other shares of one: finer than the 1/255 of a screen.
@@ -156,6 +157,11 @@ class GradientDefs:
                 | _unless_one("stop-opacity", stop.colour.alpha),
             )
         return element, f"url(#{name})"
+
+
+def url_of(definition: ET.Element) -> str:
+    """What attributes say to use a definition."""
+    return f"url(#{definition.get('id')})"
 
 
 def gradient_attributes(gradient: Gradient, decimals: int) -> dict[str, str]:

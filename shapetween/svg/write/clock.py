@@ -1,0 +1,200 @@
+"""When an attribute has which value: the timing attributes of SMIL's animation elements.
+
+What is played once sets off when its turn comes and stays where it arrives, so that nothing need be
+said of the time before and after. What is played for ever has the whole in every element, rests and
+the way back included, for only then does all of it stay in step.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from shapetween.base.arrays import Floats, Index
+from shapetween.svg.write.numbers import number
+from shapetween.timing.easing import LINEAR
+from shapetween.timing.fitted import fitted_keyframes
+from shapetween.timing.keyframes import keyframes
+from shapetween.timing.schedule import Schedule
+from shapetween.timing.timeline import Passage, Timeline
+
+__all__ = ["Clock"]
+
+#: Decimals of a keyframe's time, a share of one way: finer than a frame of any screen.
+TIME_DECIMALS = 5
+
+#: Decimals of an easing's handles, shares of the time between two keyframes.
+SPLINE_DECIMALS = 4
+
+#: Decimals of seconds.
+SECOND_DECIMALS = 3
+
+#: Handles of one straight interval.
+_STRAIGHT = np.array([LINEAR])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clock:
+    """When the samples of a movement are shown.
+
+    Attributes
+    ----------
+    schedule : Schedule
+        For one way, from the start to the end.
+    adaptive : bool
+        Whether keyframes are chosen among the samples; else every sample is one.
+    timeline : Timeline
+        The plan of the whole.
+    leg : int
+        Which of its movements this is.
+    """
+
+    schedule: Schedule
+    adaptive: bool
+    timeline: Timeline
+    leg: int = 0
+
+    def needs(self, samples: Floats, tolerance: float, most: int) -> bool:
+        """Whether more than so many keyframes are needed for the samples (S, K, D)."""
+        return len(keyframes(samples, self.schedule.time, tolerance, most)) > most
+
+    def pick(self, samples: Floats, tolerance: float) -> Index:
+        """Which of the samples (S, K, D) become keyframes."""
+        if not self.adaptive:
+            return np.arange(len(samples))
+        time = self.schedule.time
+        parts = pairwise([0, *self.schedule.stops, len(time) - 1])
+        picks = [
+            start + keyframes(samples[start : end + 1], time[start : end + 1], tolerance)
+            for start, end in parts
+        ]
+        return np.unique(np.concatenate(picks))
+
+    def fitted(self, samples: Floats, tolerance: float) -> tuple[Floats, Floats, Floats | None]:
+        """Keyframes for the samples (S, K, D), and where those are that are not on the way.
+
+        Returns
+        -------
+        (M,) float64
+            When each is shown, a share of the way.
+        (M, K, D) float64
+            What is shown.
+        (M - 1, 4) float64 or None
+            The easing between each two, None where all are even.
+        """
+        if self.adaptive and self.schedule.handles == LINEAR:
+            return (*fitted_keyframes(samples, self.schedule.time, tolerance), None)
+        picks = self.pick(samples, tolerance)
+        return self.schedule.clock[picks], samples[picks], self._eased(picks)
+
+    def straight(self, picks: Index, values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show each value at its sample, way back included, and blend between."""
+        return self.running(self.schedule.clock[picks], values, self._eased(picks))
+
+    def _eased(self, picks: Index) -> Floats | None:
+        """The easing between samples, (M - 1, 4), None where it is even."""
+        return None if self.schedule.handles == LINEAR else self.schedule.parts(picks)
+
+    def eased(
+        self, handles: tuple[float, float, float, float], rest: str, value: str
+    ) -> dict[str, str]:
+        """Attributes that run from one value to another along an easing of their own."""
+        clock = np.array([0.0, 1.0])
+        return self.running(clock, (rest, value), np.array([handles]))
+
+    @property
+    def is_one_way(self) -> bool:
+        """Whether the whole is one way through this leg, and no rest is said."""
+        if self.timeline.loop == "once":
+            return True
+        (first, *others) = self._passages
+        return not others and (first.start, first.end) == (0.0, self.timeline.seconds)
+
+    def jumping(self, jumps: Floats, values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show the first value, and from each of some times on the next."""
+        times, shown = [0.0], [values[0]]
+        for passage in self._passages:
+            times += passage.at(jumps).tolist()
+            shown += values[-2::-1] if passage.back else values[1:]
+        return {"calcMode": "discrete", **self._whole(times, shown)}
+
+    def showing(self, on: str, off: str) -> dict[str, str]:
+        """Attributes that have one value while the leg is to be seen, and else another."""
+        edges = [edge for p in self._passages for edge in (p.shown, p.until)]
+        # Where one passage follows on another, and at both ends of the whole, nothing changes.
+        whole = self.timeline.seconds
+        times = [edge for edge in edges if edges.count(edge) == 1 and 0 < edge < whole]
+        values = (off, on) if edges[0] > 0 else (on, off)
+        shown = [values[k % 2] for k in range(len(times) + 1)]
+        return {"calcMode": "discrete", **self._whole([0.0, *times], shown)}
+
+    @property
+    def _passages(self) -> tuple[Passage, ...]:
+        return self.timeline.passages(self.leg)
+
+    def running(
+        self, clock: Floats, values: Sequence[str], easing: Floats | None
+    ) -> dict[str, str]:
+        """Attributes that show values (M,) at moments (M,) of the way, eased (M - 1, 4) between."""
+        if self.timeline.loop == "once":
+            (passage,) = self._passages
+            length = passage.end - passage.start
+            begin = {"begin": _seconds(passage.start)} if passage.start > 0 else {}
+            kept = {} if len(clock) == 2 and easing is None else {"keyTimes": self._times(clock)}
+            return {
+                **_easing(easing),
+                **begin,
+                "dur": _seconds(length),
+                "fill": "freeze",
+                **kept,
+                "values": ";".join(values),
+            }
+        times, shown, splines = [0.0], [values[0]], [np.zeros((0, 4))]
+        step = np.repeat(_STRAIGHT, len(clock) - 1, axis=0) if easing is None else easing
+
+        def rest(until: float) -> None:
+            if until > times[-1]:
+                times.append(until)
+                shown.append(shown[-1])
+                splines.append(_STRAIGHT)
+
+        for passage in self._passages:
+            rest(passage.start)
+            times += passage.at(clock)[1:].tolist()
+            shown += values[-2::-1] if passage.back else values[1:]
+            # Backwards a curve starts at its end, and both axes run the other way.
+            splines.append(1 - step[::-1, [2, 3, 0, 1]] if passage.back else step)
+        rest(self.timeline.seconds)
+        eased = None if easing is None else np.concatenate(splines)
+        return {**_easing(eased), **self._whole(times, shown)}
+
+    def _whole(self, seconds: Sequence[float], values: Sequence[str]) -> dict[str, str]:
+        """Attributes that show values at some seconds of the whole."""
+        whole = self.timeline.seconds
+        once = self.timeline.loop == "once"
+        times = np.array(seconds) / whole
+        return {
+            "dur": _seconds(whole),
+            **({"fill": "freeze"} if once else {"repeatCount": "indefinite"}),
+            "keyTimes": self._times(times, whole),
+            "values": ";".join(values),
+        }
+
+    def _times(self, shares: Floats, whole: float | None = None) -> str:
+        """Shares of a time, as fine in seconds as if that were one way alone."""
+        ratio = 1.0 if whole is None else whole / self.timeline.ways[self.leg]
+        decimals = TIME_DECIMALS + len(str(int(ratio))) - 1
+        return ";".join(number(share, decimals) for share in shares.tolist())
+
+
+def _easing(rows: Floats | None) -> dict[str, str]:
+    """Attributes for the easing of every interval, (M, 4); blending evenly needs none."""
+    if rows is None or (rows == _STRAIGHT).all():
+        return {}
+    texts = [" ".join(number(v, SPLINE_DECIMALS) for v in row) for row in rows.tolist()]
+    return {"calcMode": "spline", "keySplines": ";".join(texts)}
+
+
+def _seconds(value: float) -> str:
+    return f"{number(value, SECOND_DECIMALS)}s"

@@ -1,0 +1,122 @@
+"""A shape that moves, as animations of its path data.
+
+Where the movement is smooth it is a sum of easings (`shapetween.timing.sums`): the first animation
+runs from the first place to another, and replaces what the path holds at rest; the others add to
+it. So the numbers at rest take no part in it, and a program that rewrites them changes nothing.
+Else, and where a number of keyframes is asked for, one animation runs through keyframes.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from shapetween.base.arrays import Floats
+from shapetween.model.movement import Part
+from shapetween.svg.write.clock import Clock
+from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
+from shapetween.timing.sums import EasingSum, sum_of_easings
+
+__all__ = ["ShapeMotion", "shape_motion"]
+
+#: How far a handle may be from the chord of a curve that is written as a line, for the tolerance of
+#: points: less than half of it. Larger and curves that bulge on the way are flattened.
+STRAIGHT = 0.45
+
+#: How far a handle may be off for a point of the outline: no point of a curve moves by more than
+#: three quarters of what both of its handles do.
+HANDLE = 0.75
+
+#: Share of the last decimal below which nothing moves: rounding hides it.
+STILL = 0.25
+
+#: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
+#: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
+MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
+
+#: Curves of all samples that are held at once, and the strides of samples that may be left out for
+#: it: parts of the steps on which keyframes may lie.
+MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
+
+
+@dataclass(frozen=True, slots=True)
+class ShapeMotion:
+    """Path data at rest, and the attributes of the animations that move it, often none."""
+
+    rest: str
+    animations: tuple[dict[str, str], ...]
+
+
+def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> ShapeMotion:
+    """How a part moves.
+
+    Parameters
+    ----------
+    part : Part
+    clock : Clock
+    decimals : int
+        Of coordinates.
+    tolerance : float
+        How far points may be off on the way, in user units.
+    """
+    clock = _for_so_many(clock, sum(part.rings))
+    step = 10.0**-decimals
+    finer, kept = clock.schedule.finer()
+    stack = part.curves(finer.time)
+    form = PathForm.of(part.rings, part.closed, straight_curves(stack, STRAIGHT * tolerance, step))
+    points = form.points(stack)
+    first = on_grid(points[:1], decimals)
+    rest = form.texts(first, decimals)[0]
+    if np.ptp(points, axis=0).max(initial=0.0) <= STILL * step:
+        return ShapeMotion(rest, ())
+    importance = np.where(form.handles, HANDLE, 1.0)
+    found = None
+    if clock.adaptive:
+        found = sum_of_easings(points, finer.clock, step, tolerance, importance)
+    points = points[kept]
+    if found is not None and clock.needs(points, tolerance, len(found.handles)):
+        return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
+    moments, values, easing = _keyframes(points, importance, clock, tolerance)
+    texts = form.texts(on_grid(values, decimals), decimals)
+    if len(set(texts)) == 1:
+        return ShapeMotion(rest, ())
+    return ShapeMotion(rest, ({"attributeName": "d", **clock.running(moments, texts, easing)},))
+
+
+def _summed(
+    found: EasingSum, first: Grid, form: PathForm, clock: Clock, decimals: int
+) -> tuple[dict[str, str], ...]:
+    """The animations of a sum of easings; the first replaces, and the others add."""
+    rest, *_ = form.texts(first, decimals)
+    start, *added = form.texts(np.concatenate([first + found.terms[:1], found.terms[1:]]), decimals)
+    head, *tail = found.handles
+    animations = [{"attributeName": "d", **clock.eased(head, rest, start)}]
+    zero = form.zero()
+    for handles, text in zip(tail, added, strict=True):
+        timing = clock.eased(handles, zero, text)
+        if clock.is_one_way:
+            del timing["values"]
+            timing["by"] = text
+        animations.append({"attributeName": "d", "additive": "sum", **timing})
+    return tuple(animations)
+
+
+def _keyframes(
+    points: Floats, importance: Floats, clock: Clock, tolerance: float
+) -> tuple[Floats, Floats, Floats | None]:
+    """Keyframes, fewer by looser tolerances where there would be too much to write."""
+    weighed = points * importance[:, None]
+    moments, values, easing = clock.fitted(weighed, tolerance)
+    most = max(LEAST_KEYFRAMES, MOST_WRITTEN * 3 // max(points.shape[1], 1))
+    while clock.adaptive and len(moments) > most:
+        tolerance *= LOOSER
+        moments, values, easing = clock.fitted(weighed, tolerance)
+    return moments, values / importance[:, None], easing
+
+
+def _for_so_many(clock: Clock, count: int) -> Clock:
+    """The clock with fewer samples, where so many curves at all of them would not fit in memory."""
+    steps = len(clock.schedule.time) - 1
+    if not clock.adaptive or steps * count <= MOST_SAMPLED:
+        return clock
+    stride = next(k for k in STRIDES if steps * count <= k * MOST_SAMPLED or k == STRIDES[-1])
+    return replace(clock, schedule=clock.schedule.thinned(stride))

@@ -1,0 +1,114 @@
+"""Movements as sums of easings: near at all times, exact at the ends, and few."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from shapetween.base.arrays import Floats
+from shapetween.timing.easing import easing_function
+from shapetween.timing.schedule import Schedule
+from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings
+
+SCHEDULE, _ = Schedule.of("linear").finer()
+CLOCK = SCHEDULE.clock
+STEP, TOLERANCE = 0.01, 0.18
+EVERYWHERE = np.linspace(0, 1, 601)
+
+
+def turning(angle: float, t: Floats, count: int = 40) -> Floats:
+    """Points on a circle of 300 that turn and drift, (S, K, 2), in thousandths of a picture."""
+    around = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    phase = angle * t[:, None] + around
+    drift = np.stack([120 * t, -50 * t * t], axis=-1)[:, None]
+    return 300 * np.stack([np.cos(phase), np.sin(phase)], axis=-1) + drift
+
+
+def found(points: Floats, importance: Floats | None = None) -> EasingSum | None:
+    weights = np.ones(points.shape[1]) if importance is None else importance
+    return sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights)
+
+
+def shown(result: EasingSum, points: Floats, clock: Floats) -> Floats:
+    """As a player works it out, by easings solved anew."""
+    total = np.broadcast_to(np.rint(points[0] / STEP) * STEP, (len(clock), *points[0].shape)).copy()
+    for handles, term in zip(result.handles, result.terms, strict=True):
+        ease = easing_function(f"cubic-bezier({','.join(map(repr, handles))})")
+        total += ease(clock)[:, None, None] * term * STEP
+    return total
+
+
+@settings(max_examples=30)
+@given(st.floats(-2.5, 2.5))
+def test_points_that_turn_stay_near_their_places(angle: float) -> None:
+    points = turning(angle, CLOCK)
+    result = found(points)
+    assert result is not None
+    away = shown(result, points, EVERYWHERE) - turning(angle, EVERYWHERE)
+    assert np.linalg.norm(away, axis=-1).max() <= TOLERANCE + STEP
+    end = shown(result, points, np.ones(1))[0]
+    np.testing.assert_allclose(end, np.rint(points[-1] / STEP) * STEP, atol=1e-9)
+    np.testing.assert_allclose(
+        result.at(EVERYWHERE) * STEP + np.rint(points[0] / STEP) * STEP,
+        shown(result, points, EVERYWHERE),
+        atol=1e-3,
+    )
+
+
+def test_a_straight_way_is_one_easing() -> None:
+    points = np.array([[0.0, 0.0], [50.0, 10.0]]) + CLOCK[:, None, None] * np.array([300.0, 40.0])
+    result = found(points)
+    assert result is not None
+    assert result.handles == ((1 / 3, 1 / 3, 2 / 3, 2 / 3),)
+    eased = easing_function("cubic-bezier(.4,0,.6,1)")(CLOCK)
+    result = found(points[:1] + eased[:, None, None] * np.array([300.0, 40.0]))
+    assert result is not None
+    assert len(result.handles) == 1
+
+
+def test_few_easings_do_where_a_third_of_a_turn_takes_dozens_of_keyframes() -> None:
+    result = found(turning(2.1, CLOCK))
+    assert result is not None
+    assert len(result.handles) <= 6
+
+
+def test_what_jumps_or_shakes_is_no_sum() -> None:
+    points = turning(1.0, CLOCK)
+    points[CLOCK > 0.5, 3] += 40.0
+    assert found(points) is None
+    shaken = turning(1.0, CLOCK)
+    shaken[:, 5, 0] += 20 * np.sin(40 * CLOCK)
+    assert found(shaken) is None
+
+
+def test_what_returns_to_where_it_was_is_a_sum_too() -> None:
+    points = turning(0.0, CLOCK) * 0 + (60 * CLOCK * (1 - CLOCK))[:, None, None]
+    result = found(points)
+    assert result is not None
+    np.testing.assert_array_equal(result.terms.sum(axis=0), 0)
+    assert len(result.handles) <= MOST_TERMS
+
+
+def test_what_stands_still_is_none() -> None:
+    assert found(np.ones((len(CLOCK), 3, 2))) is None
+
+
+def test_points_of_less_importance_may_be_farther_off() -> None:
+    points = turning(1.3, CLOCK)
+    points[:, ::2, 0] += 1.5 * np.sin(9 * CLOCK)[:, None]
+    even, uneven = found(points), found(points, np.where(np.arange(40) % 2, 1.0, 0.05))
+    assert uneven is not None
+    assert even is None or len(uneven.handles) < len(even.handles)
+
+
+@pytest.mark.parametrize("scale", [1 / 1024, 1024.0])
+def test_units_do_not_matter(scale: float) -> None:
+    points = turning(1.7, CLOCK)
+    usual = found(points)
+    other = sum_of_easings(
+        points * scale, CLOCK, STEP * scale, TOLERANCE * scale, np.ones(points.shape[1])
+    )
+    assert usual is not None
+    assert other is not None
+    assert usual.handles == other.handles
+    np.testing.assert_array_equal(usual.terms, other.terms)
