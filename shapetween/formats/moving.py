@@ -93,6 +93,10 @@ class Moving(ABC):
         """All of it as an animated vector drawable of Android; `options` as for `write`."""
         return self._text(".xml", options)
 
+    def html(self, **options: Any) -> str:
+        """All of it as the text of a page with a player; `options` as for `write`."""
+        return self._text(".html", options)
+
     def lottie(self, **options: Any) -> str:
         """All of it as the text of a Lottie animation; `options` as for `write`."""
         return self._text(".json", options)

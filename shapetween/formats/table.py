@@ -162,6 +162,8 @@ def _writers() -> Iterator[Writer]:
     once = ("duration", "easing", "hold", "keyframes", "precision")
     yield Writer(".xml", "an Android vector drawable", home, once)
     yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
+    home = "shapetween.formats.player.writer:html"
+    yield Writer(".html", "a page", home, (*_TIMING, "precision", "start", "background"))
 
 
 WRITERS: Mapping[str, Writer] = MappingProxyType({writer.ending: writer for writer in _writers()})

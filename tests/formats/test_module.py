@@ -94,6 +94,12 @@ def test_what_stands_still_is_kept_once() -> None:
     assert sizes[0] < 0.5 * sizes[1]
 
 
+def test_what_moves_straight_needs_no_terms(tmp_path: Path) -> None:
+    part = FormulaPart(circle(np.array([40.0, 50.0]), 20.0), spin(0.0, (30.0, 10.0)))
+    movement = Movement((part,), Box(0, 0, 100, 100))
+    assert_draws(movement, module_text(Segments((movement,)), WriteOptions()), tmp_path)
+
+
 def test_jumps_are_followed(tmp_path: Path) -> None:
     def jump(t: Floats, start: Floats) -> Floats:
         far = np.where(t > 0.437, 25.0, 0.0)[:, None, None, None]

@@ -69,7 +69,7 @@ def fit_basis(rest: Floats, times: Floats, weights: Floats, tolerance: float) ->
     flat = (rest * weights[:, None]).reshape(len(rest), -1)
     functions, fields = _decomposed(flat, tolerance * BY_RANK)
     if not len(fields):
-        return _rounded(functions, fields, weights, 1.0, tolerance)
+        return _rounded(np.zeros((2, 0)), fields, weights, 1.0, tolerance)
     for steps in KNOTS:
         matrix = spline_weights(times, steps + 1)
         knots = np.asarray(np.linalg.lstsq(matrix, functions, rcond=None)[0], np.float64)
@@ -141,7 +141,9 @@ def _rounded(
 ) -> Basis:
     """Terms in whole numbers: of `step` in the fields, of what can be seen in the functions."""
     heights = np.abs(knots).max(axis=0, initial=0.0)
-    vectors = fields.reshape(len(fields), -1, 2) / weights[:, None] * heights[:, None, None]
+    vectors = (
+        fields.reshape(len(fields), len(weights), 2) / weights[:, None] * heights[:, None, None]
+    )
     farthest = np.abs(vectors).max(axis=(1, 2), initial=0.0)
     shares = np.maximum(np.ceil(farthest / (KNOT_STEP * tolerance)), 1.0)
     return Basis(
