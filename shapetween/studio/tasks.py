@@ -4,7 +4,9 @@ Workers stand in the folder of the session's drawings, so messages call these by
 as those of the command line do. All answers are plain values that become JSON.
 """
 
+import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +24,9 @@ __all__ = ["TASKS", "full", "live", "read", "warm"]
 #: hand; with fewer limbs that turn are seen to shrink between two of them.
 LIVE_KEYFRAMES = 17
 
+
+#: Legs without pins that a worker keeps, from which previews start. Each holds a few megabytes.
+KEPT = 4
 
 #: Digits of places that are sent to the page, as a share of the view box: a hundredth of a pixel
 #: of a large screen.
@@ -62,7 +67,26 @@ def read(name: str, data: bytes) -> dict[str, Any]:
 
 def live(job: Job) -> dict[str, Any]:
     """The movement of one leg as it may be seen while something is dragged."""
-    return _answer(_moved(job, quick=True), job, LIVE_KEYFRAMES)
+    from shapetween.studio.preview import previewed
+
+    (leg,) = job.legs
+    free = replace(job, legs=(replace(leg, pins=()),))
+    base = _base(json.dumps(free.plain()), free)
+    moved = previewed(base, leg.pins) if leg.matching == 1 else None
+    return _answer(moved or _moved(job, quick=True), job, LIVE_KEYFRAMES)
+
+
+#: The legs that were dragged last, as they move without pins, by what they are.
+_BASES: dict[str, "Morph"] = {}
+
+
+def _base(key: str, job: Job) -> "Morph":
+    """A leg without pins, found once."""
+    if key not in _BASES:
+        while len(_BASES) >= KEPT:
+            del _BASES[next(iter(_BASES))]
+        _BASES[key] = _moved(job, quick=True)  # type: ignore[assignment]
+    return _BASES[key]
 
 
 def full(job: Job) -> dict[str, Any]:
