@@ -105,7 +105,7 @@ class Previews:
         return cls(tuple(bodies), outers)
 
     def moved(self, pins: Points, level: Level) -> tuple[Carried, ...]:
-        """All bodies with these pins.
+        """All bodies with these pins; those without any as they were.
 
         Parameters
         ----------
@@ -122,6 +122,9 @@ class Previews:
         mine = self._assigned(pins)
         found = []
         for b, body in enumerate(self.bodies):
+            if all(own != b for own, _ in mine):
+                found.append(body)
+                continue
             rings = [
                 self._outers[b, r].matched(mine[b, r]) if (b, r) in mine else ring
                 for r, ring in _rings(body)

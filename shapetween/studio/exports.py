@@ -1,5 +1,6 @@
 """What is saved: made by the tool's own command, in a folder of its own."""
 
+import os
 import re
 import subprocess
 import sys
@@ -166,6 +167,7 @@ def _ran(words: list[str], folder: Path, names: Mapping[str, str]) -> tuple[str,
         done = subprocess.run(
             [sys.executable, "-m", "shapetween", *words],
             cwd=folder,
+            env=_environment(),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,
@@ -184,6 +186,13 @@ def _ran(words: list[str], folder: Path, names: Mapping[str, str]) -> tuple[str,
         last = lines[-1] if lines else "the command was cut off"
         raise ShapetweenError(last.removeprefix("error: "))
     return tuple(line.removeprefix("warning: ") for line in lines if line.startswith("warning: "))
+
+
+def _environment() -> dict[str, str]:
+    """Variables with which the command is this very package, wherever it stands."""
+    own = str(Path(__file__).resolve().parents[2])
+    others = os.environ.get("PYTHONPATH")
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([own, others] if others else [own])}
 
 
 def _packed(folder: Path) -> bytes:

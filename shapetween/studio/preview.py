@@ -3,13 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
 from shapetween.api import Morph, Pin
+from shapetween.elastic.aboard import ShownPart
 from shapetween.elastic.parts import FilledPart
 from shapetween.model.fit import mapped
 from shapetween.outline.preview import Level, Previews
+from shapetween.pipeline import Prepared
+from shapetween.scene.motion.tracks import Elastic
+from shapetween.scene.movement import PairPart
 
 __all__ = ["previewed"]
 
@@ -29,25 +34,39 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph
     Returns
     -------
     Morph or None
-        None where drawings are more than one area that becomes another.
+        None where no outline is moved by itself, or one has so many curves that another stands
+        for it.
     """
     prepared = base.prepared
-    parts = prepared.movement.parts
-    part = parts[0] if len(parts) == 1 else None
-    if prepared.scene is not None or not isinstance(part, FilledPart):
-        return None
-    if part.passengers or part.specks:
-        return None
-    previews = _previews(part)
+    previews = _previews(prepared)
     if previews is None:
         return None
     rows = np.array(pins, dtype=np.float64).reshape(-1, 4)
     rows[:, 2:] = mapped(rows[:, 2:], prepared.fit)
-    moved = replace(part, bodies=previews.moved(rows, level))
-    movement = replace(prepared.movement, parts=(moved,))
+    found = iter(previews.moved(rows, level))
+    fresh = {
+        id(part): replace(part, bodies=tuple(next(found) for _ in part.bodies))
+        for part in prepared.filled
+    }
+    parts = tuple(_renewed(part, fresh) for part in prepared.movement.parts)
+    movement = replace(prepared.movement, parts=parts)
     return replace(base, prepared=replace(prepared, movement=movement))
 
 
+def _renewed(part: Any, fresh: dict[int, FilledPart]) -> Any:
+    """A part of the movement with its outlines as they are now."""
+    if isinstance(part, ShownPart):
+        return replace(part, part=_renewed(part.part, fresh))
+    if isinstance(part, PairPart):
+        tracks = tuple(
+            Elastic(fresh.get(id(track.part), track.part)) if isinstance(track, Elastic) else track
+            for track in part.tracks
+        )
+        return replace(part, tracks=tracks)
+    return fresh.get(id(part), part)
+
+
 @lru_cache(maxsize=4)  # by identity; as many as legs are kept
-def _previews(part: FilledPart) -> Previews | None:
-    return Previews.of(part.bodies)
+def _previews(prepared: Prepared) -> Previews | None:
+    bodies = [body for part in prepared.filled for body in part.bodies]
+    return Previews.of(bodies) if bodies else None

@@ -1,0 +1,66 @@
+"""Previews: the matching is the full one's, the ends are exact, and pins are kept."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import shapetween as st
+from shapetween.api import Pin
+from shapetween.base.errors import OptionError
+from shapetween.outline.preview import Level
+from shapetween.studio.preview import previewed
+
+INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
+
+PAIRS = [("horse", "kangaroo"), ("hammer", "wrench"), ("maple-leaf", "monstera-leaf")]
+
+
+def pin_of(m: st.Morph, place: int, shift: int) -> Pin:
+    """A pin on the first outline that asks for a little more than the matching says."""
+    ring = m.correspondence[0]
+    (ax, ay), (bx, by) = ring.source[place], ring.target[(place + shift) % len(ring.target)]
+    return float(ax), float(ay), float(bx), float(by)
+
+
+@pytest.mark.parametrize("pair", PAIRS, ids="-".join)
+@pytest.mark.parametrize("level", ["line", "plane"])
+def test_the_matching_is_that_of_the_full_result(pair: tuple[str, str], level: Level) -> None:
+    a, b = (INPUTS / f"{name}.svg" for name in pair)
+    free = st.morph(a, b, folds="allow")
+    pin = pin_of(free, 130, 9)
+    quick, full = previewed(free, [pin], level), st.morph(a, b, pins=[pin])
+    assert quick is not None
+    mine, theirs = (m.prepared.filled[0].bodies[0].nodes.rings[0].matching for m in (quick, full))
+    np.testing.assert_array_equal(mine.u, theirs.u)
+    np.testing.assert_array_equal(mine.v, theirs.v)
+    for t in (0.0, 1.0):
+        areas = [m.at(t).shapes[0].rings[0].area for m in (quick, full)]
+        assert areas[0] == pytest.approx(areas[1], rel=1e-9)
+    ring = quick.correspondence[0]
+    at = int(np.hypot(ring.source[:, 0] - pin[0], ring.source[:, 1] - pin[1]).argmin())
+    size = np.ptp(ring.target, axis=0).max()
+    assert np.hypot(*(ring.target[at] - pin[2:])) < 1e-6 * size
+
+
+def test_without_pins_nothing_changes() -> None:
+    free = st.morph(INPUTS / "horse.svg", INPUTS / "kangaroo.svg", folds="allow")
+    quick = previewed(free, [])
+    assert quick is not None
+    assert quick.svg(keyframes=5) == free.svg(keyframes=5)
+
+
+def test_a_pin_on_nothing_is_refused() -> None:
+    free = st.morph(INPUTS / "horse.svg", INPUTS / "kangaroo.svg", folds="allow")
+    with pytest.raises(OptionError, match="two outlines"):
+        previewed(free, [(500.0, 500.0, 1.0, 1.0)])
+
+
+def test_of_many_shapes_only_what_is_pinned_moves_anew() -> None:
+    free = st.morph(INPUTS / "run.svg", INPUTS / "walk.svg", folds="allow")
+    quick = previewed(free, [pin_of(free, 130, 9)])
+    assert quick is not None
+    bodies = [[b for part in m.prepared.filled for b in part.bodies] for m in (free, quick)]
+    changed = [one is not other for one, other in zip(*bodies, strict=True)]
+    assert sum(changed) == 1
+    assert quick.at(0.5).drawn != free.at(0.5).drawn
