@@ -13,7 +13,7 @@ from shapetween.elastic.parts import FilledPart
 from shapetween.model.fit import mapped
 from shapetween.outline.preview import Level, Previews
 from shapetween.pipeline import Prepared
-from shapetween.scene.motion.tracks import Elastic
+from shapetween.scene.motion.tracks import Elastic, Mirrored, Shared, Track
 from shapetween.scene.movement import PairPart
 
 __all__ = ["previewed"]
@@ -58,12 +58,19 @@ def _renewed(part: Any, fresh: dict[int, FilledPart]) -> Any:
     if isinstance(part, ShownPart):
         return replace(part, part=_renewed(part.part, fresh))
     if isinstance(part, PairPart):
-        tracks = tuple(
-            Elastic(fresh.get(id(track.part), track.part)) if isinstance(track, Elastic) else track
-            for track in part.tracks
-        )
-        return replace(part, tracks=tracks)
+        return replace(part, tracks=tuple(_followed(track, fresh) for track in part.tracks))
     return fresh.get(id(part), part)
+
+
+def _followed(track: Track, fresh: dict[int, FilledPart]) -> Track:
+    """A track with the outlines that it follows as they are now."""
+    if isinstance(track, Shared):
+        return Shared(_followed(track.track, fresh))
+    if isinstance(track, Mirrored):
+        return replace(track, track=_followed(track.track, fresh))
+    if isinstance(track, Elastic):
+        return Elastic(fresh.get(id(track.part), track.part))
+    return track
 
 
 @lru_cache(maxsize=4)  # by identity; as many as legs are kept
