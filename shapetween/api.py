@@ -15,11 +15,12 @@ from shapetween.base.errors import OptionError
 from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.moving import Moving
+from shapetween.geometry.affine import inverted, mapped
 from shapetween.io import files
 from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
-from shapetween.model.fit import Fit, fit_matrix, inverted, mapped
+from shapetween.model.fit import Fit, fit_matrix
 from shapetween.model.movement import Movement
 from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.pipeline import Folds, Options, Prepared, prepare

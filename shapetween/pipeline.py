@@ -16,11 +16,12 @@ from shapetween.elastic.aboard import LonePart, RidingPart, unrepeated
 from shapetween.elastic.fill import FillSettings, morph_fill
 from shapetween.elastic.naming import is_given
 from shapetween.elastic.parts import FilledPart
+from shapetween.geometry.affine import mapped
 from shapetween.interpolate import check_method
 from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
-from shapetween.model.fit import Fit, fit_matrix, mapped
+from shapetween.model.fit import Fit, fit_matrix
 from shapetween.model.movement import Movement, Part
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of

@@ -10,9 +10,9 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
 from shapetween.deform.mesh import AmbientMesh
+from shapetween.geometry.affine import inverted, mapped
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, polar
-from shapetween.model.fit import inverted, mapped
 from shapetween.outline.body import VertexPath
 
 __all__ = ["AffinePlane", "Finder", "Finders", "Held", "MeshPlane", "Plane", "Spots"]

@@ -7,11 +7,11 @@ from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Points
+from shapetween.base.arrays import Affine
 from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Drawing
 
-__all__ = ["Fit", "fit_matrix", "inverted", "mapped"]
+__all__ = ["Fit", "fit_matrix"]
 
 Fit: TypeAlias = Literal["view", "geometry", "none"]
 """What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
@@ -47,17 +47,3 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
     x = outer.x + outer.width / 2 - scale * (inner.x + inner.width / 2)
     y = outer.y + outer.height / 2 - scale * (inner.y + inner.height / 2)
     return np.array([[scale, 0.0, x], [0.0, scale, y]])
-
-
-def mapped(points: Points, matrix: Affine) -> Points:
-    """Points (..., 2) under an affine map (2, 3)."""
-    # Term by term: a matrix product may round otherwise on another processor.
-    return np.asarray(
-        points[..., :1] * matrix[:, 0] + points[..., 1:] * matrix[:, 1] + matrix[:, 2]
-    )
-
-
-def inverted(matrix: Affine) -> Affine:
-    """The affine map back."""
-    linear = np.linalg.inv(matrix[:, :2])
-    return np.column_stack([linear, -linear @ matrix[:, 2]])

@@ -7,6 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Affine, Curves, Points, frozen
 from shapetween.base.errors import ShapeError
 from shapetween.geometry import bezier
+from shapetween.geometry.affine import mapped
 
 __all__ = ["Outline"]
 
@@ -65,6 +66,4 @@ class Outline:
 
     def transformed(self, matrix: Affine) -> "Outline":
         """Every control point mapped by an affine map, (2, 3)."""
-        # Term by term: a matrix product may round equal points differently by their place.
-        x, y = self.curves[..., :1], self.curves[..., 1:]
-        return Outline(x * matrix[:, 0] + y * matrix[:, 1] + matrix[:, 2], self.closed)
+        return Outline(mapped(self.curves, matrix), self.closed)

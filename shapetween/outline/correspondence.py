@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from shapetween.base.arrays import Affine, Floats, Points
-from shapetween.model.fit import mapped
+from shapetween.geometry.affine import mapped
 from shapetween.outline.body import RingMatch
 
 __all__ = ["RingCorrespondence"]

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
+from shapetween.geometry.affine import mapped
 from shapetween.geometry.polygon import corner_sines, polygon_area
 from shapetween.interpolate import Tween, tween
 from shapetween.interpolate.quads import interpolate_quads
 from shapetween.mesh.pair import MeshPair
-from shapetween.model.fit import mapped
 from shapetween.photo.slip import bilinear_quads, greatest_slip
 from shapetween.raster.faces import Bilinear, FaceMap, Footprint, Projection, projections
 

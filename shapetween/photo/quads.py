@@ -12,11 +12,11 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Index, Points
 from shapetween.base.errors import MeshError
+from shapetween.geometry.affine import mapped
 from shapetween.geometry.polygon import corner_sines, cross, polygon_area
 from shapetween.io.jsonfile import check_keys, parse, real, rows
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing, Shape
-from shapetween.model.fit import mapped
 
 __all__ = ["PictureQuad", "load_quads", "meshes_of_quads", "quads_of_drawings"]
 

@@ -12,11 +12,11 @@ from shapetween.base.arrays import Affine, Index, Points
 from shapetween.base.errors import MeshError, OptionError, OutlineError, ShapetweenError
 from shapetween.base.observe import Observer, unobserved
 from shapetween.deform.keyed import KeyedMotion
+from shapetween.geometry.affine import inverted, mapped
 from shapetween.io import files
 from shapetween.io.jsonfile import parse
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
-from shapetween.model.fit import inverted, mapped
 from shapetween.model.paint import Style
 from shapetween.model.srgb import srgb_to_linear
 from shapetween.outline.body import Carried, joined_meshes

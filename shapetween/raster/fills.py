@@ -9,9 +9,9 @@ from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
 from shapetween.deform.keyed import KeyedMotion
 from shapetween.elastic.aboard import LonePart, RidingPart, ShownPart
 from shapetween.elastic.parts import FilledPart
+from shapetween.geometry.affine import inverted, mapped
 from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Box
-from shapetween.model.fit import inverted, mapped
 from shapetween.model.movement import Part
 from shapetween.model.paint import Style
 from shapetween.outline.body import Carried, VertexPath

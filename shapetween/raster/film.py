@@ -12,8 +12,8 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Floats
 from shapetween.base.errors import OptionError
+from shapetween.geometry.affine import mapped
 from shapetween.model.drawing import Box, Drawing, Shape
-from shapetween.model.fit import mapped
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Style
 from shapetween.raster.fills import Fill, fill_of

@@ -10,7 +10,7 @@ import numpy as np
 from shapetween.api import Morph, Pin
 from shapetween.elastic.aboard import ShownPart
 from shapetween.elastic.parts import FilledPart
-from shapetween.model.fit import mapped
+from shapetween.geometry.affine import mapped
 from shapetween.outline.preview import Level, Previews
 from shapetween.pipeline import Prepared
 from shapetween.scene.motion.tracks import Elastic, Mirrored, Shared, Track

@@ -13,12 +13,12 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import compose
 from shapetween.model.drawing import Box
 from shapetween.model.gradients import IDENTITY
 from shapetween.model.paint import Paint, Texture
 from shapetween.svg.read.document import Document, href
 from shapetween.svg.read.frames import Frame, Placed
-from shapetween.svg.read.transform import compose
 from shapetween.svg.read.xml import SVG, XLINK, local_name
 from shapetween.svg.write.elements import GradientDefs, paint_attributes
 from shapetween.svg.write.numbers import number

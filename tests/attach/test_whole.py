@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Affine, Points
+from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.blend import blend
 from shapetween.model.drawing import Box, Drawing, Shape
-from shapetween.model.fit import mapped
 from shapetween.model.gradients import in_normal_form, moved_style
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style

@@ -3,7 +3,7 @@
 import numpy as np
 
 from shapetween.base.arrays import Affine, Points
-from shapetween.model.fit import mapped
+from shapetween.geometry.affine import mapped
 from shapetween.model.outline import Outline
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item

@@ -18,6 +18,7 @@ from shapetween.base.arrays import Points
 from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import Chords, chords_of, joined
 from shapetween.boolean.trace import traced
+from shapetween.geometry.affine import affine, compose
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Group, Mask
@@ -32,7 +33,6 @@ from shapetween.svg.read.painting import fill_rule
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.subpaths import subpaths_of
-from shapetween.svg.read.transform import affine, compose
 from shapetween.svg.read.walk import entered, object_box, walk
 from shapetween.svg.read.xml import local_name
 

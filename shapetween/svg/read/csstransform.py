@@ -11,9 +11,9 @@ import numpy as np
 import tinycss2
 
 from shapetween.base.arrays import Affine, Floats
+from shapetween.geometry.affine import affine, compose
 from shapetween.model.drawing import Box
 from shapetween.svg.read.calc import calculated
-from shapetween.svg.read.transform import affine, compose
 from shapetween.svg.read.units import Viewport
 
 __all__ = ["TRANSFORMS", "css_transform", "is_transform", "transform_step"]

@@ -7,6 +7,7 @@ import numpy as np
 
 from shapetween.boolean.area import hidden_share
 from shapetween.boolean.chords import chords_of
+from shapetween.geometry.affine import mapped
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
@@ -16,7 +17,6 @@ from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
 from shapetween.svg.read.subpaths import in_range, subpaths_of
-from shapetween.svg.read.transform import apply
 from shapetween.svg.read.units import number
 
 __all__ = ["rings_of", "shapes_of"]
@@ -93,10 +93,10 @@ def rings_of(
     """Subpaths as rings in the drawing's user units, without those of which nothing is seen."""
     stroke = style.stroke
     with np.errstate(all="ignore"):  # numbers that overflow are left out below
-        mapped = [
+        placed_paths = [
             Subpath(
-                apply(placed.frame.matrix, subpath.curves),
-                apply(placed.frame.matrix, subpath.start),
+                mapped(subpath.curves, placed.frame.matrix),
+                mapped(subpath.start, placed.frame.matrix),
                 subpath.closed,
             )
             for subpath in subpaths
@@ -109,7 +109,7 @@ def rings_of(
             dots=stroke is not None and stroke.cap != "butt",
             width=stroke.width if stroke is not None else 1.0,
         )
-        for subpath in in_range(document, mapped)
+        for subpath in in_range(document, placed_paths)
     )
     return tuple(ring for ring in rings if ring is not None)
 

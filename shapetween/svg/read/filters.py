@@ -11,6 +11,7 @@ import numpy as np
 import tinycss2
 
 from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import IDENTITY, mapped, mean_scale, stretch
 from shapetween.model.drawing import Box
 from shapetween.model.effects import Filter, Primitive
 from shapetween.model.paint import Colour
@@ -18,7 +19,6 @@ from shapetween.svg.read.colours import parse_paint, reference_of
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer
 from shapetween.svg.read.gradients import colour_of
-from shapetween.svg.read.transform import IDENTITY, apply, mean_scale, stretch
 from shapetween.svg.read.units import number
 from shapetween.svg.read.xml import local_name
 
@@ -224,7 +224,7 @@ def _in_user_units(
         own = tuple(matrix.T.ravel().tolist())
         return Filter(primitives, region, in_box, box_units, own)
     if not in_box:
-        x, y = apply(matrix, np.array(region[:2])).tolist()
+        x, y = mapped(np.array(region[:2]), matrix).tolist()
         region = (x, y, region[2] * scale, region[3] * scale)
     scaled = tuple(_scaled(primitive, scale) for primitive in primitives)
     return Filter(scaled, region, in_box, False, tuple(IDENTITY.T.ravel().tolist()))

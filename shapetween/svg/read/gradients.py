@@ -8,13 +8,14 @@ from typing import Literal
 from xml.etree.ElementTree import Element
 
 from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import affine, compose
 from shapetween.model.drawing import Box
 from shapetween.model.paint import Colour, Gradient, Paint, Stop
 from shapetween.svg.read.colours import parse_paint
 from shapetween.svg.read.csstransform import css_transform
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.style import Properties
-from shapetween.svg.read.transform import affine, compose, parse_transform
+from shapetween.svg.read.transform import parse_transform
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.xml import local_name
 

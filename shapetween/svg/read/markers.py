@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.geometry.affine import affine, compose, mapped, mean_scale
 from shapetween.geometry.bezier import end_tangents
 from shapetween.model.drawing import Box
 from shapetween.svg.read.colours import parse_paint
@@ -18,7 +19,6 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer, Placed
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.subpaths import subpaths_of
-from shapetween.svg.read.transform import affine, apply, compose, mean_scale
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.viewbox import fit, parse_view_box
 from shapetween.svg.read.walk import walk
@@ -159,7 +159,7 @@ def _drawn(
         text = marker.get(name, "0").strip()
         value = start + words[text] * size if text in words else local.length(text, size)
         reference.append(value or 0.0)
-    shift = apply(step, np.array(reference))
+    shift = mapped(np.array(reference), step)
     origin = affine(1, 0, 0, 1, *(-shift).tolist())
     inner = compose(compose(matrix, origin), step)
     if mean_scale(inner) == 0 or not np.isfinite(inner).all():
@@ -168,7 +168,7 @@ def _drawn(
     layers = frame.layers
     if properties.get("overflow", "hidden") not in ("visible", "auto"):
         corners = np.array([[0.0, 0.0], [across, 0.0], [across, down], [0.0, down]])
-        layers = (*layers, Layer(marker, frame, clip=apply(compose(matrix, origin), corners)))
+        layers = (*layers, Layer(marker, frame, clip=mapped(corners, compose(matrix, origin))))
     own = frame.properties
     inside = replace(
         frame,

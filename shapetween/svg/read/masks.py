@@ -14,13 +14,13 @@ import numpy as np
 from shapetween.base.arrays import Points
 from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import chords_of
+from shapetween.geometry.affine import affine, compose, mapped
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Mask
 from shapetween.model.paint import Colour, Gradient, Paint
 from shapetween.svg.read.clip import CLIP_WORK, Clipper, Region
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer, Placed
-from shapetween.svg.read.transform import affine, apply, compose
 from shapetween.svg.read.walk import object_box, walk
 from shapetween.svg.read.xml import local_name
 
@@ -84,8 +84,8 @@ class Masker:
         self, layer: Layer, element: Element, box: Box | None, region_in_box: bool, in_box: bool
     ) -> Region | Mask | None:
         properties = self._document.style(element)
-        corners = apply(
-            layer.frame.matrix, _corners(element, layer, box if region_in_box else None)
+        corners = mapped(
+            _corners(element, layer, box if region_in_box else None), layer.frame.matrix
         )
         frame = replace(layer.frame, properties=properties, layers=(), uses=(), name="")
         if in_box:

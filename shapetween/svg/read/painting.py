@@ -5,6 +5,7 @@ from typing import Literal, cast
 
 import numpy as np
 
+from shapetween.geometry.affine import mean_scale, stretch
 from shapetween.geometry.bezier import curve_lengths
 from shapetween.model.paint import Colour, FillRule, Paint, Stroke, Style, Texture
 from shapetween.svg.read.colours import CURRENT, parse_paint
@@ -15,7 +16,6 @@ from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.placing import KEPT
 from shapetween.svg.read.rings import bounds
 from shapetween.svg.read.style import Properties
-from shapetween.svg.read.transform import mean_scale, stretch
 from shapetween.svg.read.units import number
 from shapetween.svg.read.xml import local_name
 from shapetween.svg.textures import pattern_texture, picture_texture

@@ -5,12 +5,12 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from shapetween.geometry.affine import affine, compose, mapped
 from shapetween.model.drawing import Box
 from shapetween.svg.read.document import Document, href
 from shapetween.svg.read.frames import Frame, Layer
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.style import Properties
-from shapetween.svg.read.transform import affine, apply, compose
 from shapetween.svg.read.viewbox import fit, parse_view_box
 from shapetween.svg.read.xml import local_name
 
@@ -111,7 +111,7 @@ def viewport_opened(
     if frame.properties.get("overflow", "hidden") not in ("visible", "auto"):
         right, bottom = into.x + into.width, into.y + into.height
         local = np.array([[into.x, into.y], [right, into.y], [right, bottom], [into.x, bottom]])
-        layers = (*layers, Layer(element, frame, clip=apply(frame.matrix, local)))
+        layers = (*layers, Layer(element, frame, clip=mapped(local, frame.matrix)))
     box = parse_view_box(element.get("viewBox"))
     if box is None:
         step = affine(1, 0, 0, 1, into.x, into.y)

@@ -10,6 +10,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from shapetween.base.errors import BudgetError, InputError
+from shapetween.geometry.affine import affine
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
@@ -20,7 +21,6 @@ from shapetween.svg.read.frames import Frame
 from shapetween.svg.read.gradients import colour_of
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.painter import Painter, shape_box
-from shapetween.svg.read.transform import affine
 from shapetween.svg.read.units import Viewport, common_unit
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.walk import walk

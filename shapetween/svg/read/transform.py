@@ -1,19 +1,16 @@
-"""Affine maps, and the transform lists that name them.
-
-A map is (2, 3), [[a, c, e], [b, d, f]]. Points are mapped number by number, never by a matrix
-product, so that equal points stay equal to the last bit: curves that met still meet.
-"""
+"""Transform lists, and the affine maps that they name."""
 
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from math import cos, isfinite, radians, sin, sqrt, tan
+from math import cos, isfinite, radians, sin, tan
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Points
+from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import IDENTITY, affine, compose
 
-__all__ = ["IDENTITY", "affine", "apply", "compose", "mean_scale", "parse_transform", "stretch"]
+__all__ = ["NUMBER", "parse_transform"]
 
 #: A number as SVG and CSS write it. Atomic: what follows never makes it end earlier.
 NUMBER = r"(?>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
@@ -23,41 +20,6 @@ MOST_FUNCTIONS = 1000
 
 _FUNCTION = re.compile(r"\s*,?\s*([A-Za-z]+)\s*\(([^()]*)\)", re.ASCII)
 _ARGUMENT = re.compile(rf"\s*,?\s*({NUMBER})\s*", re.ASCII)
-
-
-def affine(a: float, b: float, c: float, d: float, e: float, f: float) -> Affine:
-    """The map with the six numbers in the order in which SVG's ``matrix()`` has them."""
-    return np.array([[a, c, e], [b, d, f]], dtype=np.float64)
-
-
-IDENTITY = affine(1, 0, 0, 1, 0, 0)
-
-
-def compose(outer: Affine, inner: Affine) -> Affine:
-    """The map that does `inner` first, then `outer`."""
-    # Term by term: a matrix product may round otherwise on another processor.
-    product = outer[:, :1] * inner[:1] + outer[:, 1:2] * inner[1:]
-    product[:, 2] += outer[:, 2]
-    return np.asarray(product)
-
-
-def apply(matrix: Affine, points: Points) -> Points:
-    """Map points (..., 2)."""
-    x, y = points[..., 0], points[..., 1]
-    (a, c, e), (b, d, f) = matrix.tolist()
-    return np.stack([a * x + c * y + e, b * x + d * y + f], axis=-1)
-
-
-def mean_scale(matrix: Affine) -> float:
-    """Square root of the factor by which areas grow."""
-    (a, c, _), (b, d, _) = matrix.tolist()
-    return sqrt(abs(a * d - b * c))
-
-
-def stretch(matrix: Affine) -> float:
-    """Greatest over least factor by which lengths grow: 1 for a similarity."""
-    greatest, least = np.linalg.svd(matrix[:, :2], compute_uv=False)
-    return float(greatest / least) if least > 0 else float("inf")
 
 
 def _rotate(degrees: float, x: float = 0.0, y: float = 0.0) -> Affine:

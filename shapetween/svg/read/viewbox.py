@@ -6,8 +6,8 @@
 from collections.abc import Mapping
 
 from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import affine
 from shapetween.model.drawing import Box
-from shapetween.svg.read.transform import affine
 from shapetween.svg.read.units import numbers
 
 __all__ = ["fit", "parse_view_box"]

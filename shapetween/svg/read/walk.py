@@ -10,6 +10,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from shapetween.base.arrays import Affine
+from shapetween.geometry.affine import IDENTITY, compose, mapped, mean_scale
 from shapetween.model.drawing import Box
 from shapetween.svg.read.colours import parse_paint
 from shapetween.svg.read.csstransform import TRANSFORMS, css_transform
@@ -29,13 +30,7 @@ from shapetween.svg.read.rings import bounds
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.style import Properties
 from shapetween.svg.read.subpaths import subpaths_of
-from shapetween.svg.read.transform import (
-    IDENTITY,
-    apply,
-    compose,
-    mean_scale,
-    parse_transform,
-)
+from shapetween.svg.read.transform import parse_transform
 from shapetween.svg.read.units import number
 from shapetween.svg.read.xml import local_name
 
@@ -155,7 +150,7 @@ def object_box(document: Document, element: Element, frame: Frame) -> Box | None
                     if box is not None:
                         right, bottom = box.x + box.width, box.y + box.height
                         corners = [[box.x, box.y], [right, box.y], [right, bottom], [box.x, bottom]]
-                        boxes.append(apply(placed.frame.matrix, np.array(corners)))
+                        boxes.append(mapped(np.array(corners), placed.frame.matrix))
             if boxes:
                 points = np.concatenate(boxes)
                 low, high = points.min(axis=0), points.max(axis=0)
