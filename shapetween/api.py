@@ -190,6 +190,7 @@ def morph(
     fit: Fit = "view",
     folds: Folds = "prevent",
     together: bool = True,
+    matching: int = 1,
     pictures: bool = False,
     observe: Observer = unobserved,
 ) -> Morph:
@@ -217,6 +218,9 @@ def morph(
     together : bool
         Let the shapes of a drawing ride on the movement of its silhouette; else each moves by
         itself.
+    matching : int
+        Which of the distinct ways for one outline to become the other, the best one being 1; the
+        report lists them.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
     observe : Observer, optional
@@ -236,6 +240,7 @@ def morph(
         fit=fit,
         folds=folds,
         together=together,
+        matching=matching,
     )
     with observe("read"):
         drawings = _opened(a, pictures), _opened(b, pictures)

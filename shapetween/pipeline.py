@@ -62,6 +62,8 @@ class Options:
     together : bool
         Whether the parts of a drawing move as they are seen together; else every area moves by a
         mesh of its own, as all do where meshes are given.
+    matching : int
+        Which of the distinct matchings of two outlines to take, the best one being 1.
     """
 
     method: str = "projective"
@@ -72,6 +74,7 @@ class Options:
     fit: Fit = "view"
     folds: Folds = "prevent"
     together: bool = True
+    matching: int = 1
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
@@ -80,6 +83,8 @@ class Options:
             raise OptionError(f"folds: {self.folds!r} is none of {', '.join(get_args(Folds))}")
         if self.quads is not None and self.quads < 1:
             raise OptionError(f"quads: {self.quads} is no count; give 1 or more")
+        if self.matching < 1:
+            raise OptionError(f"matching: {self.matching} is no number; the best one is 1")
         if not np.isfinite(np.array(self.pins, dtype=np.float64)).all():
             raise OptionError("pin: coordinates must be finite numbers")
 
@@ -174,7 +179,7 @@ def prepare(
     meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
     meshed = bool(meshes) or not chosen.together
     settings = FillSettings(
-        chosen.method, chosen.folds, chosen.quads, pins, meshes, observe, meshed
+        chosen.method, chosen.folds, chosen.quads, pins, meshes, observe, meshed, chosen.matching
     )
     notices = [
         Notice("file", warning, name)
@@ -217,7 +222,7 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
     """Whether the outline engine moves a drawing of one item: areas of no simple form."""
     if not (one.filled and other.filled):
         return False
-    if settings.meshed or settings.folds == "allow" or len(settings.pins):
+    if settings.meshed or settings.folds == "allow" or len(settings.pins) or settings.choice > 1:
         return True
     if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
         return False

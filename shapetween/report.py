@@ -11,6 +11,7 @@ from shapetween.deform.check import LOOKED
 from shapetween.elastic.aboard import RidingPart
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
+from shapetween.match import Matcher
 from shapetween.mesh.pair import MeshPair
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.pipeline import Prepared
@@ -28,11 +29,19 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
     prepared : Prepared
     method : str
     """
+    outer = [
+        ring
+        for part in prepared.meshed
+        for body in part.bodies
+        for ring in body.nodes.rings
+        if not ring.hole
+    ]
+    lone = prepared.scene is None and len(outer) == 1
     return {
         "version": installed_version(),
         "method": method,
         "rings": [
-            _ring(part.name, body, ring)
+            _ring(part.name, body, ring, lone=lone and not ring.hole)
             for part in prepared.meshed
             for body in part.bodies
             for ring in body.nodes.rings
@@ -69,7 +78,7 @@ def build_chain(
     }
 
 
-def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
+def _ring(name: str, body: Carried, ring: RingMatch, *, lone: bool) -> dict[str, Any]:
     matching = ring.matching
     return {
         "name": name,
@@ -83,13 +92,28 @@ def _ring(name: str, body: Carried, ring: RingMatch) -> dict[str, Any]:
             "times_checked": body.checked,
             "found": body.crossing,
             "repaired": body.repaired,
+            "area": _number(body.seen.area),
+            "width": _number(body.seen.width),
         },
         "matching": {
             "cost": _number(matching.cost),
             "runner_up": _number(matching.runner_up),
             "confidence": matching.confidence,
         },
+        **({"alternatives": _alternatives(ring)} if lone else {}),
     }
+
+
+def _alternatives(ring: RingMatch) -> list[dict[str, Any]]:
+    """The distinct matchings there are, by the number that takes each."""
+    return [
+        {
+            "matching": number,
+            "cost": _number(found.cost),
+            "turn": round(float(np.degrees(found.turn)), 1),
+        }
+        for number, found in enumerate(Matcher(*ring.ends).alternatives(), start=1)
+    ]
 
 
 def _parts(scene: SceneMovement) -> list[dict[str, Any]]:

@@ -17,6 +17,7 @@ COMMANDS = {
     "frames": ("shapetween.cli.pair", "Write one SVG a frame."),
     "mesh": ("shapetween.cli.pair", "Show what goes where, or keep the mesh."),
     "compare": ("shapetween.cli.compare", "Show every method side by side, with figures."),
+    "alternatives": ("shapetween.cli.alternatives", "Show what else may become what."),
     "studio": ("shapetween.cli.studio", "See the matching, drag it right, save the movement."),
     "inkscape": ("shapetween.cli.inkscape", "Make in-betweens inside Inkscape."),
     "batch": ("shapetween.cli.batch", "Make many pairs at once."),

@@ -108,6 +108,7 @@ class Common:
     pins: tuple[OfLeg, ...]
     matches: tuple[tuple[str, str], ...]
     mesh: Path | None
+    matching: int
     fit: str
     report: Path | None
     quiet: bool
@@ -119,7 +120,8 @@ class Common:
         """Check the places to write to, then prepare the movement through two or more drawings."""
         if len(drawings) == 2:
             return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
-        of_a_pair = {"--match": self.matches, "--mesh": self.mesh}
+        chosen = None if self.matching == 1 else self.matching
+        of_a_pair = {"--match": self.matches, "--mesh": self.mesh, "--matching": chosen}
         for name, value in of_a_pair.items():
             if value:
                 raise OptionError(
@@ -162,6 +164,7 @@ class Common:
             "pins": self.pins_of_pair,
             "matches": self.matches,
             "mesh": meshes,
+            "matching": self.matching,
         }
 
     @property
@@ -203,10 +206,12 @@ class Common:
         from shapetween.formats.table import put
         from shapetween.io import files
 
-        with run("check"):
-            report = result.report()
-        report["warnings"] += made.warnings
-        report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
+        report: dict[str, Any] = {}
+        if self.report is not None or self.verbose:
+            with run("check"):
+                report = result.report()
+            report["warnings"] += made.warnings
+            report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
         with ExitStack() as stack:  # the report appears only once the output has been written
             if self.report is not None:
                 fresh = stack.enter_context(files.fresh_file(self.report))
@@ -262,6 +267,15 @@ _OPTIONS: tuple[Option, ...] = (
         type=PATH,
         metavar="FILE.json",
         help="A mesh from 'shapetween mesh', perhaps edited, or drawn by hand.",
+    ),
+    click.option(
+        "--matching",
+        type=Whole(1, 100),
+        default=1,
+        show_default=True,
+        metavar="K",
+        help="Which of the distinct ways for one outline to become the other; see 'shapetween "
+        "alternatives'.",
     ),
     click.option(
         "--fit",

@@ -1,31 +1,27 @@
 """One filled shape becoming another: its pieces and holes matched, meshed and moved."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from itertools import islice
-
 import numpy as np
 
 from shapetween.attach.passengers import Deck, Passenger
 from shapetween.attach.specks import morph_speck
 from shapetween.attach.whole import MOTION_TIMES, WholeMotion
-from shapetween.base.arrays import Points
-from shapetween.base.errors import MeshError, OptionError, OutlineError
+from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Kind, Notice
-from shapetween.base.observe import Observer
 from shapetween.elastic.pairing import Thing, pair_things
 from shapetween.elastic.parts import FilledPart
 from shapetween.elastic.regions import Region, regions_of
+from shapetween.elastic.settings import FillSettings
 from shapetween.elastic.splitting import split_alike
 from shapetween.geometry.rotation import rotations
-from shapetween.mesh.pair import MeshPair
+from shapetween.match import Matcher
 from shapetween.model.drawing import Shape
 from shapetween.model.gradients import has_gradient
 from shapetween.model.outline import Outline
+from shapetween.outline.alone import looked_at, moved_alone
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between
-from shapetween.outline.matching import CORNERS, match_hole, match_outer, next_matches
-from shapetween.outline.unfold import MOST_NODES, TOLERANCES, bare, unfolded
+from shapetween.outline.matching import CORNERS, match_hole, match_outer
+from shapetween.outline.unfold import bare, unfolded
 
 __all__ = ["FillSettings", "morph_fill"]
 
@@ -51,85 +47,6 @@ LEAST_CORNERS = 12
 
 #: Curves of all pieces of both shapes past which one setting is all there is time for.
 MANY_CURVES = 1500
-
-#: Next best matchings tried where the best one crosses. More cost seconds and are rarely right.
-OTHER_MATCHINGS = 2
-
-#: Distance of a pin from the pieces it may belong to, as a share of their size.
-PIN_REACH = 0.05
-
-
-@dataclass(slots=True, eq=False)
-class FillSettings:
-    """What the user asked of all filled shapes, and which of it has found its place.
-
-    Attributes
-    ----------
-    method : str
-    folds : {"prevent", "allow"}
-    quads : int or None
-    pins : (K, 4) float64
-        In the movement's frame.
-    meshes : sequence of (str, MeshPair)
-        In the movement's frame, by name of shape.
-    observe : Observer
-    meshed : bool
-        Whether every area moves by a mesh of its own, whatever simpler way there is.
-    """
-
-    method: str
-    folds: str
-    quads: int | None
-    pins: Points
-    meshes: Sequence[tuple[str, MeshPair]]
-    observe: Observer
-    meshed: bool = False
-    used_pins: set[int] = field(default_factory=set)
-    used_meshes: set[int] = field(default_factory=set)
-
-    def has_mesh(self, name: str) -> bool:
-        """Whether a mesh was given for the shape of that very name."""
-        return bool(name) and any(name == known for known, _ in self.meshes)
-
-    def mesh_for(self, name: str) -> MeshPair | None:
-        """The next mesh given for pieces of a shape, in the order they are written in."""
-        free = [k for k in range(len(self.meshes)) if k not in self.used_meshes]
-        mine = [k for k in free if self.meshes[k][0] == name]
-        mine = mine or [k for k in free if not self.meshes[k][0]]
-        if not mine:
-            return None
-        self.used_meshes.add(mine[0])
-        return self.meshes[mine[0]][1]
-
-    def pins_for(self, first: Region, second: Region) -> Points:
-        """Pins that lie on these two pieces, (K, 4)."""
-        mine = []
-        for k, pin in enumerate(self.pins):
-            near = [_near(region, point) for region, point in ((first, pin[:2]), (second, pin[2:]))]
-            if k not in self.used_pins and all(near):
-                mine.append(k)
-        self.used_pins.update(mine)
-        return self.pins[mine]
-
-    def check_used(self) -> None:
-        """Refuse what belongs to no shape."""
-        for k, pin in enumerate(self.pins):
-            if k not in self.used_pins:
-                ax, ay, bx, by = pin.tolist()
-                raise OptionError(
-                    f"pin {k + 1} ({ax:g},{ay:g} to {bx:g},{by:g} in the first drawing's units): "
-                    "does not lie on two outlines that become each other"
-                )
-        unused = [name for k, (name, _) in enumerate(self.meshes) if k not in self.used_meshes]
-        if unused:
-            raise MeshError(f"mesh: there is no filled shape {unused[0]!r} to use it for")
-
-
-def _near(region: Region, point: Points) -> bool:
-    from shapetween.model.arclength import ArcLength
-
-    size = float(np.linalg.norm(np.ptp(region.outer.box, axis=0)))
-    return bool(ArcLength(region.outer).nearest(point)[1] <= PIN_REACH * size)
 
 
 def morph_fill(
@@ -180,16 +97,19 @@ def morph_fill(
             )
         )
     corners = _shared_corners([i for i, _ in meshed], before)
+    lone = alone and len(before) == len(after) == 1
     for i, j in meshed:
+        mesh = settings.mesh_for(name)
         outer = match_outer(
             before[i].outer,
             after[j].outer,
             quads=settings.quads,
             pins=settings.pins_for(before[i], after[j]),
-            mesh=settings.mesh_for(name),
+            mesh=mesh,
             upright=not alone or len(pairing.pairs) > 1,
             observe=settings.observe,
             corners=corners[i],
+            choice=settings.take_choice() if lone and mesh is None else 1,
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
@@ -197,9 +117,14 @@ def morph_fill(
                 Notice(
                     "uncertain",
                     "matched with little certainty",
-                    instead="look at the matching with 'shapetween mesh' and correct it with --pin",
+                    instead="'shapetween alternatives' shows what else it may be, to be taken with "
+                    "--matching, and --pin corrects it"
+                    if lone
+                    else "look at the matching with 'shapetween mesh' and correct it with --pin",
                 )
             )
+        if lone and not settings.settled and outer.pair is not None:
+            notices += _of_facing(outer)
         holes, others = _matched_holes(before[i], after[j], outer, settings)
         notices += _of_limits(before[i], after[j], name)
         strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
@@ -244,6 +169,13 @@ def _divided(
     return None
 
 
+def _of_facing(outer: RingMatch) -> list[Notice]:
+    """What to tell of two outlines that seem to face opposite ways."""
+    if outer.coarse or not Matcher(outer.source, outer.target).faces_other_way(outer.matching):
+        return []
+    return [Notice("facing", "the drawings seem to face opposite ways")]
+
+
 def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:
     """What to tell of outlines that cross on the way: of the worst body of each kind."""
     kinds: tuple[tuple[bool, Kind, str, str], ...] = (
@@ -257,10 +189,12 @@ def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:
     )
     notices = []
     for detail, kind, text, more in kinds:
-        crossing = [body for body in bodies if body.crossing and body.detail == detail]
+        seen = [body for body in bodies if body.crossing and not body.seen.nothing]
+        crossing = [body for body in seen if body.detail == detail]
         if crossing:
             worst = max(crossing, key=lambda body: body.crossing / body.checked)
-            often = f"at {worst.crossing} of {worst.checked} times on the way"
+            wide = f"by {1000 * worst.seen.width:.2g} of 1000 pixels"
+            often = f"at {worst.crossing} of {worst.checked} times on the way, {wide}"
             notices.append(Notice(kind, f"{text} {often}", name, more))
     return notices
 
@@ -268,6 +202,15 @@ def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:
 def _of_fallbacks(bodies: list[Carried], name: str) -> list[Notice]:
     """What to tell of outlines that are not moved as outlines otherwise are."""
     notices = []
+    if any(body.other_matching for body in bodies):
+        notices.append(
+            Notice(
+                "other-matching",
+                "the best matching makes the outline cross itself on the way",
+                name,
+                "another is taken that costs little more",
+            )
+        )
     if any(body.bare for body in bodies):
         notices.append(
             Notice("bare-mesh", "nothing keeps the outline from folding", name, "its mesh moves it")
@@ -392,28 +335,19 @@ def _moved(
     if 1 < len(bodies) <= MOST_TOGETHER and not touching:
         together = unfolded([ring for rings in bodies for ring in rings], settings.method)
         if not together.crossing or together.detail:
-            return [together], [0] * len(bodies)
+            return [looked_at(together)], [0] * len(bodies)
     curves = sum(len(r.source.curves) + len(r.target.curves) for rings in bodies for r in rings)
-    alone = [_alone(rings, settings, rough=curves > MANY_CURVES) for rings in bodies]
-    if together is not None and together.crossing <= sum(c.crossing for c in alone):
-        return [together], [0] * len(bodies)
+    alone = [
+        moved_alone(
+            rings,
+            settings.method,
+            settings.quads,
+            settings.observe,
+            rough=curves > MANY_CURVES,
+            settled=rings[0].found == "given" or settings.settled,
+        )
+        for rings in bodies
+    ]
+    if together is not None and together.crossing <= sum(body.crossing for body in alone):
+        return [looked_at(together)], [0] * len(bodies)
     return alone, each
-
-
-def _alone(rings: list[RingMatch], settings: FillSettings, *, rough: bool) -> Carried:
-    """One body in a plane of its own; where it crosses, by the next best matching.
-
-    Of a rough shape's bodies none is worth that much time.
-    """
-    outer, holes = rings[0], rings[1:]
-    best = unfolded(rings, settings.method, TOLERANCES[:1] if rough else TOLERANCES)
-    pinned = outer.found == "given" or len(settings.used_pins) > 0
-    if rough or outer.coarse or pinned or not best.crossing or len(best.nodes.ends[0]) > MOST_NODES:
-        return best
-    for other in islice(next_matches(outer, settings.quads, settings.observe), OTHER_MATCHINGS):
-        found = unfolded([other, *holes], settings.method, TOLERANCES[:2])
-        if found.crossing < best.crossing:
-            best = found
-        if not best.crossing:
-            break
-    return best

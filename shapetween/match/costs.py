@@ -5,6 +5,7 @@ halved or doubled.
 """
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -36,6 +37,9 @@ MIN_RADIUS = 0.02
 #: How far positions are stretched towards equal spread in x and y: this power of the ratio, the
 #: ratio itself held within `MOST_SPREAD`. 0 leaves tall against wide, 1/2 loses what tall means.
 SPREAD_POWER, MOST_SPREAD = 0.25, 2.0
+
+#: Outlines whose features are kept, for who asks more than one thing of a pair. More cost memory.
+KEPT = 8
 
 #: Unlikeness above which two salient vertices are strangers.
 STRANGERS = 0.45
@@ -130,8 +134,9 @@ class Looks:
     around: Floats
 
 
+@lru_cache(maxsize=KEPT)
 def prepare(outline: Outline) -> Prepared:
-    """Sample and describe an outline."""
+    """Sample and describe an outline; the last few are kept."""
     samples = sample(outline)
     points = samples.points
     return Prepared(samples, describe(points), salient_vertices(points), mirror_axes(points))

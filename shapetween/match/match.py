@@ -9,8 +9,9 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.band import band_path
-from shapetween.match.candidate import Candidate, around, away, distinct, follow, near
-from shapetween.match.correspondence import Confidence, Correspondence
+from shapetween.match.candidate import Candidate, apart, around, away, distinct, follow, near
+from shapetween.match.certainty import confidence_of, doubt
+from shapetween.match.correspondence import Correspondence
 from shapetween.match.costs import (
     Cells,
     Prepared,
@@ -27,7 +28,7 @@ from shapetween.match.frames import MIN_TURN, Frame, handicap, standing
 from shapetween.match.layout import Layout, layout_of
 from shapetween.match.scale import BAND, FINE_STATIONS, STATIONS, VERTEX_REWARD, settled
 
-__all__ = ["best_matching", "best_matchings"]
+__all__ = ["best_matching", "best_matchings", "upright_matching_cost"]
 
 #: Symmetric outlines are meant to stay so: the matching that keeps them symmetric may cost this
 #: many times the cheapest. Less, and one side of a thing moves unlike the other; more, and a heart
@@ -43,14 +44,6 @@ FORCED_TIPS = 5
 
 #: Places at which a matching's unlikeness is read.
 MEAN_PLACES = 128
-
-#: Lead over the runner-up, as a share of the cost, that makes a matching sure; and the least one
-#: with which it is more than unsure, however alike the outlines are.
-CLEAR_LEAD, LEAST_LEAD = 0.3, 0.05
-
-#: Cost up to which outlines are so alike that their matching is sure, and likely. On hand-matched
-#: pairs 3 % of the landmarks of sure matchings were wrong, 20 % of likely, 28 % of unsure ones.
-SURE_COST, LIKELY_COST = 0.7, 0.95
 
 #: How far along the outline a pin is felt, as a share of the length: about half a limb. There the
 #: look of the limb itself counts, not where it is.
@@ -90,6 +83,13 @@ def best_matchings(
         found = _Comparison(b, a, pins[:, ::-1]).best(count, forced)
         return [matching.inverse() for matching in found]
     return _Comparison(a, b, pins).best(count, forced)
+
+
+def upright_matching_cost(a: Prepared, b: Prepared) -> float:
+    """Cost of the best matching of two outlines as drawn, as `Correspondence` has it."""
+    if _comes_second(a, b):
+        a, b = b, a
+    return _Comparison(a, b, np.zeros((0, 2))).upright_cost()
 
 
 def _comes_second(a: Prepared, b: Prepared) -> bool:
@@ -138,18 +138,31 @@ class _Comparison:
                 found = self._refined(found, entry.worth)
             if not any(near(found, other) for _, other in kept):
                 kept.append((entry, found))
-        costs = [*(entry.cost for entry, _ in kept), np.inf]
-        made = [self._finished(found, entry.cost) for entry, found in kept]
-        confidence = _confidence(costs[0], costs[1])
-        others = tuple(made[1:])
-        made[0] = replace(made[0], runner_up=costs[1], confidence=confidence, others=others)
+        costs = [entry.cost for entry, _ in kept]
+        made = [self._finished(found, cost) for (_, found), cost in zip(kept, costs, strict=True)]
+        value = doubt(costs, [0.0, *(apart(made[0], other) for other in made[1:])])
+        made[0] = replace(
+            made[0],
+            runner_up=costs[1] if len(costs) > 1 else np.inf,
+            confidence=confidence_of(value),
+            others=tuple(made[1:]),
+        )
         return made
+
+    def upright_cost(self) -> float:
+        """Cost of the best matching in the upright frame, rewards that are not earned added."""
+        worth = _worth_of_vertices(self.a, self.b, 0.0)
+        return self._in_frame(0.0, worth, False)[0].cost + self._unrewarded
+
+    @property
+    def _unrewarded(self) -> float:
+        """Rewards that can be earned at most, so that the costs of two frames have a ratio."""
+        return VERTEX_REWARD * len(self.a.vertices.index)
 
     def _ranked(self, forced: bool) -> Iterator[_Ranked]:
         """Candidates of all frames."""
         a, b = self.a, self.b
-        # Rewards not earned count as costs, so that the costs of two frames have a ratio.
-        unrewarded = VERTEX_REWARD * len(a.vertices.index)
+        unrewarded = self._unrewarded
         unlike = self._unlike()
         turn = self._turn(unlike)
         upright, stands, factor = Frame(0.0, 1.0), False, 1.0
@@ -281,16 +294,6 @@ def _tips(prepared: Prepared) -> Index:
     vertices = prepared.vertices
     order = np.argsort(-np.round(vertices.weight, 9), kind="stable")
     return order[vertices.convex[order]][:FORCED_TIPS]
-
-
-def _confidence(cost: float, runner_up: float) -> Confidence:
-    """How likely the matching is the one meant, by its cost and its lead."""
-    lead = runner_up - cost
-    if lead > CLEAR_LEAD * cost:
-        return "sure"
-    if lead < LEAST_LEAD * cost or cost > LIKELY_COST:
-        return "unsure"
-    return "sure" if cost < SURE_COST else "likely"
 
 
 def _pull(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:

@@ -9,6 +9,7 @@ from shapetween.base.errors import OutlineError
 from shapetween.match.candidate import DISTINCT, apart
 from shapetween.match.correspondence import Correspondence
 from shapetween.match.costs import Prepared, prepare
+from shapetween.match.facing import faces_other_way
 from shapetween.match.match import best_matching, best_matchings
 from shapetween.match.pins import pinned_places, places_in_order
 from shapetween.match.register import AffineMatch, register
@@ -91,11 +92,12 @@ class Matcher:
         source to one of the target, whichever.
         """
         best = self.match()
-        none = np.zeros((0, 2))
-        if best.affine is None:
-            return best_matchings(*self._prepared, none, count, forced=True)
-        rest = best_matchings(*self._prepared, none, count, forced=True)
+        rest = best_matchings(*self._prepared, np.zeros((0, 2)), count, forced=True)
         return [best, *(other for other in rest if apart(best, other) > DISTINCT)][:count]
+
+    def faces_other_way(self, found: Correspondence) -> bool:
+        """Whether the source seems to face the other way than the target, by their matching."""
+        return found.affine is None and faces_other_way(*self._prepared, found)
 
     def _places(self, pins: Points | Floats | None) -> Floats:
         if pins is None or np.shape(pins)[-1] != 2:

@@ -21,6 +21,7 @@ from shapetween.model.outline import Outline
 from shapetween.outline.carry import Carrier
 from shapetween.outline.detail import DetailedOutlines
 from shapetween.outline.matched import MatchedOutlines, Samples
+from shapetween.outline.seen import NOT_SEEN, Seen
 
 __all__ = ["Carried", "Nodes", "RingMatch", "VertexPath", "joined_meshes"]
 
@@ -73,6 +74,13 @@ class RingMatch:
     kept: Index
     pair: MeshPair | None
     found: str
+
+    @property
+    def ends(self) -> tuple[Outline, Outline]:
+        """What was matched: the outlines, or the coarse shapes that stand for them."""
+        if isinstance(self.outlines, DetailedOutlines):
+            return self.outlines.source.polygon, self.outlines.target.polygon
+        return self.source, self.target
 
     @property
     def coarse(self) -> bool:
@@ -204,6 +212,10 @@ class Carried:
         Share of the inside that follows a quad.
     detail : bool
         Whether all that crosses is fine detail; the coarse shapes do not.
+    seen : Seen
+        What is to be seen of the crossings, where it was looked at.
+    other_matching : bool
+        Whether another matching than the best was taken, because that one is seen to cross.
     bare : bool
         Whether the meshes alone move the nodes, and nothing keeps them from folding.
     """
@@ -216,6 +228,8 @@ class Carried:
     setting: str
     quad_share: float
     detail: bool = False
+    seen: Seen = NOT_SEEN
+    other_matching: bool = False
     bare: bool = False
 
     @property

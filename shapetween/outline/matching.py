@@ -10,7 +10,8 @@ from shapetween.base.observe import Observer
 from shapetween.deform.check import simple_frames
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.rotation import rotations
-from shapetween.match import Correspondence, correspond
+from shapetween.match import Correspondence, Matcher, correspond
+from shapetween.match.matcher import ALTERNATIVES
 from shapetween.match.register import register
 from shapetween.mesh import mesh_matched
 from shapetween.mesh.file import check_mesh
@@ -53,6 +54,7 @@ def match_outer(
     upright: bool,
     observe: Observer,
     corners: int = CORNERS,
+    choice: int = 1,
 ) -> RingMatch:
     """Match and mesh two outer rings.
 
@@ -73,11 +75,13 @@ def match_outer(
         Told of every stage.
     corners : int
         Corners at most of the coarse shapes that outlines of very many curves are matched by.
+    choice : int
+        Which of the distinct matchings to take, the best one being 1.
 
     Raises
     ------
     OutlineError, OptionError, MeshError
-        What is wrong with the outlines, the pins, the mesh.
+        What is wrong with the outlines, the pins, the mesh, the choice.
     """
     if mesh is not None:
         if len(pins):
@@ -86,15 +90,30 @@ def match_outer(
                 "what goes where; expected one or the other"
             )
         return _given_mesh(source, target, mesh, observe)
+    if choice > 1 and len(pins):
+        raise OptionError(f"matching: {choice} and pins exclude each other; expected one of them")
     if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
-        found = _by_coarse_shapes(source, target, quads, upright, observe, corners)
+        found = _by_coarse_shapes(source, target, quads, upright, observe, corners, choice)
         if found is not None:
             return found
     with observe("match"):
-        matching = correspond(source, target, pins if len(pins) else None)
+        matcher = Matcher(source, target)
+        matching = matcher.match(pins) if len(pins) else _chosen(matcher, choice)
         if upright:
             matching = _upright(matching)
     return _meshed(source, target, matching, quads, pins, observe)
+
+
+def _chosen(matcher: Matcher, choice: int) -> Correspondence:
+    """One of the distinct matchings, by its number."""
+    if choice == 1:
+        return matcher.match()
+    known = matcher.alternatives(max(choice, ALTERNATIVES))
+    if choice > len(known):
+        raise OptionError(
+            f"matching: {choice} is none; these outlines have {len(known)} that are distinct"
+        )
+    return known[choice - 1]
 
 
 def _by_coarse_shapes(
@@ -104,6 +123,7 @@ def _by_coarse_shapes(
     upright: bool,
     observe: Observer,
     corners: int,
+    choice: int,
 ) -> RingMatch | None:
     """Match and mesh what is left of two outlines without their detail, which is carried.
 
@@ -113,7 +133,7 @@ def _by_coarse_shapes(
         ends = coarse(source, corners), coarse(target, corners)
         if ends[0] is None or ends[1] is None or register(source, target) is not None:
             return None
-        matching = correspond(ends[0].polygon, ends[1].polygon)
+        matching = _chosen(Matcher(ends[0].polygon, ends[1].polygon), choice)
         if upright:
             matching = _upright(matching)
         outlines = DetailedOutlines(ends[0], ends[1], matching.u, matching.v)
@@ -129,8 +149,9 @@ def _by_coarse_shapes(
 
 def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:
     """The same two rings by their next best matchings, best first."""
-    for matching in ring.matching.others:
-        yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
+    for matching in Matcher(ring.source, ring.target).alternatives()[1:]:
+        if matching.turn == 0 or ring.matching.turn != 0:
+            yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
 
 
 def match_hole(source: Outline, target: Outline, turned: float, observe: Observer) -> RingMatch:
