@@ -52,6 +52,70 @@ def test_modules_never_import_each_other_in_a_circle() -> None:
     TopologicalSorter(graph).prepare()
 
 
+#: The rooms from the ground up. A room imports rooms on lower floors only, none on its own.
+#: Move a room up or down only with a reason that the page for contributors can tell.
+FLOORS: tuple[tuple[str, ...], ...] = (
+    ("base",),
+    ("geometry", "io"),
+    ("deform", "inkscape", "mesh", "timing"),
+    ("interpolate", "model"),
+    ("boolean", "match"),
+    ("outline", "svg"),
+    ("attach", "gallery"),
+    ("elastic",),
+    ("raster", "scene"),
+    ("formats", "pipeline"),
+    ("report",),
+    ("api",),
+    ("batch", "between", "compare", "notebook", "photo"),
+    ("__init__", "studio", "truth"),
+    ("cli",),
+    ("__main__",),
+)
+
+#: The modules that stand in no room.
+LOOSE = {"__init__", "__main__", "api", "pipeline", "report"}
+
+#: Lines past which a module holds two ideas.
+MOST_LINES = 400
+
+
+def room_of(name: str) -> str:
+    parts = name.split(".")
+    return parts[1] if len(parts) > 1 else "__init__"
+
+
+def test_every_room_has_its_floor() -> None:
+    listed = [room for floor in FLOORS for room in floor]
+    assert len(listed) == len(set(listed))
+    assert {room_of(name) for name in MODULES} == set(listed)
+    modules = {path.stem for path in PACKAGE.glob("*.py")}
+    assert modules == LOOSE
+
+
+def test_rooms_import_lower_floors_only() -> None:
+    floor = {room: k for k, rooms in enumerate(FLOORS) for room in rooms}
+    wrong = {
+        f"{name} imports {other}"
+        for name, tree in MODULES.items()
+        for other in imported(tree, everywhere=True)
+        if other in MODULES
+        and other != "shapetween"
+        and room_of(other) != room_of(name)
+        and floor[room_of(other)] >= floor[room_of(name)]
+    }
+    assert not wrong
+
+
+def test_no_module_holds_more_than_one_idea() -> None:
+    long = {
+        str(path.relative_to(PACKAGE)): count
+        for path in PACKAGE.rglob("*.py")
+        if (count := path.read_text("utf-8").count("\n")) > MOST_LINES
+    }
+    assert not long
+
+
 def test_only_svg_reads_xml() -> None:
     assert users("defusedxml") == {"svg"}
     # Pages and figures are put together as trees too, but nothing else reads any.

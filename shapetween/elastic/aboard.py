@@ -9,7 +9,6 @@ import numpy as np
 from shapetween.attach.planes import Plane
 from shapetween.attach.riders import Leaver, Rider, Tip
 from shapetween.attach.ties import Tied
-from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Affine, Curves, Floats, Mask
 from shapetween.deform.check import crossing_frames
 from shapetween.geometry.bezier import curve_lengths
@@ -17,6 +16,7 @@ from shapetween.model.blend import blend
 from shapetween.model.gradients import has_gradient, moved_style
 from shapetween.model.movement import Part
 from shapetween.model.paint import Style
+from shapetween.model.whole import MOTION_TIMES, WholeMotion
 
 __all__ = ["LonePart", "RidingPart", "ShownPart", "unrepeated"]
 

@@ -4,7 +4,6 @@ import numpy as np
 
 from shapetween.attach.passengers import Deck, Passenger
 from shapetween.attach.specks import morph_speck
-from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Kind, Notice
 from shapetween.elastic.pairing import Thing, pair_things
@@ -17,6 +16,7 @@ from shapetween.match import Matcher
 from shapetween.model.drawing import Shape
 from shapetween.model.gradients import has_gradient
 from shapetween.model.outline import Outline
+from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.outline.alone import looked_at, moved_alone
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between

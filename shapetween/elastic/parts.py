@@ -6,11 +6,11 @@ import numpy as np
 
 from shapetween.attach.passengers import Passenger
 from shapetween.attach.riders import Rider
-from shapetween.attach.whole import WholeMotion
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.deform.check import crossing_frames
 from shapetween.model.blend import blend
 from shapetween.model.paint import Style
+from shapetween.model.whole import WholeMotion
 from shapetween.outline.body import Carried
 
 __all__ = ["FilledPart"]

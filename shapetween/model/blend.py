@@ -15,7 +15,6 @@ from typing import TypeVar
 
 import numpy as np
 
-from shapetween.attach.whole import WholeMotion
 from shapetween.base.arrays import Floats
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
@@ -29,6 +28,7 @@ from shapetween.model.gradients import (
 )
 from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
+from shapetween.model.whole import WholeMotion
 
 __all__ = ["blend", "blend_colours", "blend_paints", "faded", "from_oklab", "to_oklab"]
 

@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
@@ -21,6 +20,7 @@ from shapetween.model.gradients import has_gradient
 from shapetween.model.movement import Part
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
+from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import cut_alike_items
 from shapetween.scene.forms import form_of

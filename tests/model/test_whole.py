@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.attach.whole import MOTION_TIMES, WholeMotion
 from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import line_curves
@@ -16,6 +15,7 @@ from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.gradients import in_normal_form, moved_style
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style
+from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.pipeline import prepare
 
 STOPS = (Stop(0.0, Colour(1, 0, 0)), Stop(1.0, Colour(0, 0, 1)))
