@@ -31,6 +31,7 @@ from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.movement import PairPart, SceneMovement, move_scene
 from shapetween.scene.places import Places
+from shapetween.scene.strokes import as_lines
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -209,7 +210,7 @@ def _moved(
     """All parts: a single area that becomes another by the outline engine, else a scene's."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
-    one, other = joined_lines(one), joined_lines(other)
+    one, other = as_lines(joined_lines(one), joined_lines(other))
     if len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)

@@ -40,7 +40,7 @@ LEAST_LENGTH = 2.5
 
 #: Least length of a straight line by itself, and of a ring by itself, as multiples of the width. A
 #: shorter bar moves better as a box, and a thicker ring is a body with a hole.
-BAR, RING = 5.0, 7.0
+BAR, RING = 5.0, 11.0
 
 #: Least share that the region and the strokes along its lines have in common of both together.
 ALIKE = 0.93

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Points
+from shapetween.base.arrays import Affine, Floats, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
 from shapetween.elastic.regions import Region, regions_of
@@ -24,7 +24,7 @@ from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["SAMPLES", "Item", "items_of", "seen_colour"]
+__all__ = ["SAMPLES", "Item", "Painted", "items_of", "seen_colour"]
 
 #: Even samples of an item's ring. Fewer cut small corners off what items are compared by; more
 #: cost time with their square, where all items are compared with each other.
@@ -43,6 +43,22 @@ MEET = 0.1
 SLIM = 1.5
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Painted:
+    """The area that a line is painted as: a stroke that was turned into its outline.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+        One round an open line, two round a closed one; filled by the rule nonzero.
+    style : Style
+        A fill.
+    """
+
+    rings: tuple[Outline, ...]
+    style: Style
+
+
 @dataclass(frozen=True, eq=False)
 class Item:
     """One region of a filled shape, or one line of a stroked one.
@@ -59,6 +75,8 @@ class Item:
         That shape's.
     cut : bool
         Whether it is a piece of what was drawn as one.
+    painted : Painted or None
+        What a line is painted as, where that is no stroke.
     """
 
     rings: tuple[Outline, ...]
@@ -66,6 +84,7 @@ class Item:
     shape: int = 0
     name: str = ""
     cut: bool = False
+    painted: Painted | None = None
 
     @property
     def filled(self) -> bool:
@@ -174,6 +193,15 @@ class Item:
     def replaced(self, rings: tuple[Outline, ...]) -> "Item":
         """The same item with other rings."""
         return replace(self, rings=rings)
+
+    def transformed(self, matrix: Affine) -> "Item":
+        """The item with all its outlines mapped by an affine map (2, 3), its styles as they are."""
+        painted = self.painted
+        if painted is not None:
+            areas = tuple(ring.transformed(matrix) for ring in painted.rings)
+            painted = replace(painted, rings=areas)
+        rings = tuple(ring.transformed(matrix) for ring in self.rings)
+        return replace(self, rings=rings, painted=painted)
 
 
 def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tuple[Notice, ...]]:

@@ -10,6 +10,7 @@ from shapetween.scene.motion.tracks import Frame, Track
 from shapetween.scene.places import Places, cut_alike
 from shapetween.scene.presence import LAST, Carry, Kept, Leaving, LonePart
 from shapetween.scene.relations import Scene
+from shapetween.scene.strokes import StrokedLonePart, stroked_lone_part
 
 __all__ = ["leaving_part"]
 
@@ -39,7 +40,7 @@ def leaving_part(
     hosts: dict[int, tuple[Track, ...]],
     arrives: bool,
     frame: Frame | None,
-) -> LonePart:
+) -> LonePart | StrokedLonePart:
     """The part of an item without a partner.
 
     Parameters
@@ -65,6 +66,12 @@ def leaving_part(
         rings[1:] = [curves[::-1, ::-1] for curves in rings[1:]]
     if leaving.drawn == "both":
         rings, closed = _halves(item.outer), (False, False)
+    if item.painted is not None:
+        style = item.painted.style
+        line = LonePart(item.name, style, tuple(rings), closed, leaving, arrives, carry)
+        stroked = stroked_lone_part(line, item, frame)
+        if stroked is not None:
+            return stroked
     return LonePart(item.name, item.style, tuple(rings), closed, leaving, arrives, carry, frame)
 
 

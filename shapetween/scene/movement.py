@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 
@@ -33,6 +34,7 @@ from shapetween.scene.order import Layer, layers_of, share_shown
 from shapetween.scene.presence import LonePart
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.sets import paired_sets
+from shapetween.scene.strokes import StrokedLonePart, as_painted
 from shapetween.scene.whole import frame_between, moved_items
 
 __all__ = ["PairPart", "SceneMovement", "move_scene"]
@@ -100,12 +102,16 @@ class PairPart:
         return replace(style, opacity=style.opacity * float(share_shown(self.layer, t)))
 
 
-def joined_parts(parts: Iterable[PairPart | LonePart]) -> list[PairPart | LonePart]:
+ScenePart: TypeAlias = PairPart | LonePart | StrokedLonePart
+"""One drawn path of a scene."""
+
+
+def joined_parts(parts: Iterable[ScenePart]) -> list[ScenePart]:
     """Parts with those put in one path that are pieces of one area, or seams would be seen.
 
     Where two areas abut, what is behind them shines through, but not within one path.
     """
-    joined: list[PairPart | LonePart] = []
+    joined: list[ScenePart] = []
     for part in parts:
         last = joined[-1] if joined else None
         if isinstance(part, PairPart) and isinstance(last, PairPart) and last.goes_on_in(part):
@@ -316,6 +322,9 @@ def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
 
 def _outline_of(line: Item) -> Item:
     """The area that a line's stroke covers."""
+    if line.painted is not None:
+        area = line.painted.rings
+        return Item(area[:1], line.painted.style, line.shape, line.name)
     shape = outlined(Shape(line.rings, line.style, line.name))
     regions, _ = regions_of(shape, line.name)
     return Item((regions[0].outer, *regions[0].holes), shape.style, line.shape, line.name)
@@ -340,10 +349,11 @@ def _mirror(
 def _mirrored(item: Item, flips: int, place: float) -> Item:
     matrix = np.eye(2, 3)
     matrix[flips, flips], matrix[flips, 2] = -1.0, 2 * place
-    rings = tuple(ring.transformed(matrix) for ring in item.rings)
-    if item.filled:
-        rings = tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in rings)
-    return replace(item, rings=rings)
+    image = item.transformed(matrix)
+    if not item.filled:
+        return image
+    rings = tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in image.rings)
+    return replace(image, rings=rings)
 
 
 def _part(
@@ -354,11 +364,12 @@ def _part(
     tracks: dict[int, tuple[Track, ...]],
     hosts: tuple[dict[int, tuple[Track, ...]], dict[int, tuple[Track, ...]]],
     frame: Frame | None,
-) -> PairPart | LonePart:
+) -> ScenePart:
     if layer.pair is not None:
         role = roles.pairs[layer.pair]
         one, other = of_one_kind(a.items[role.first], b.items[role.second])
-        return _pair_part(one, other, tracks[layer.pair], frame, layer)
+        one, other, found = as_painted(one, other, tracks[layer.pair])
+        return _pair_part(one, other, found, frame, layer)
     if layer.leaver is not None:
         return leaving_part(layer.leaver, a, hosts[0], False, frame)
     assert layer.comer is not None

@@ -21,6 +21,9 @@ SAME = 0.04
 #: What a ring's way round the contour adds to its places there, in zones: far below what is seen.
 SLOPE = 1e-6
 
+#: Distance of an open line's ends, as a share of its extent, at which they are one place.
+MEET = 1e-6
+
 #: By how much a ring's way round the contour may differ from once, in zones.
 ROUND = 0.5
 
@@ -71,15 +74,18 @@ def walk_of(frame: StrokeFrame, ring: Outline) -> Walk | None:
     count, total = len(ring.curves), frame.zones.total
     looks = (np.arange(LOOKS) + 0.5) / LOOKS
     found = frame.locate(evaluate(ring.curves, looks).reshape(-1, 2))
-    steps = np.diff(found.contour, append=found.contour[:1])
-    steps -= total * np.round(steps / total)
+    steps = _steps(frame, found.contour)
+    if steps is None:
+        return None
     if abs(abs(float(steps.sum())) - total) > ROUND:
         return None
     if steps.sum() < 0:
         return walk_of(frame, ring.reversed())
     side = 1 if frame.closed and int((found.side > 0).sum()) * 2 > len(steps) else -1
     # A step back is noise of what lies as near to two places.
-    contour = found.contour[0] + np.concatenate([[0.0], np.cumsum(steps[:-1])])
+    first = int(np.argmax(steps != 0))
+    contour = np.concatenate([[0.0], np.cumsum(steps[:-1])])
+    contour += found.contour[first] - contour[first]
     contour = np.minimum(np.maximum.accumulate(contour), contour[0] + total)
     rows = contour.reshape(count, LOOKS)
     ahead = np.append(rows[1:, 0], rows[0, 0] + total)
@@ -94,6 +100,26 @@ def walk_of(frame: StrokeFrame, ring: Outline) -> Walk | None:
     # Joints that lie together keep their order.
     known += SLOPE * (place.ravel() / count - 0.5)
     return Walk(ring.curves, side, total, place.ravel(), known)
+
+
+def _steps(frame: StrokeFrame, contour: Floats) -> Floats | None:
+    """By how much each place is farther on the contour than the one before; the last: the first."""
+    total = frame.zones.total
+    known = np.ones(len(contour), dtype=bool)
+    curves = frame.curves
+    if not frame.closed and np.hypot(*(curves[0, 0] - curves[-1, 3])) < MEET * np.ptp(curves):
+        # Where both ends are one place, either cap may be meant: what is beside them tells.
+        beyond = np.mod(contour + 1 + SAME, total / 2)
+        known = beyond > 1 + 2 * SAME
+    at = np.flatnonzero(known)
+    if len(at) < 2:
+        return None
+    steps = np.diff(contour[at], append=contour[at[:1]])
+    steps -= total * np.round(steps / total)
+    walked = np.concatenate([[0.0], np.cumsum(steps)])
+    whole = np.arange(at[0], at[0] + len(contour) + 1)
+    every = np.interp(whole, np.append(at, at[0] + len(contour)), walked)
+    return np.asarray(np.roll(np.diff(every), at[0]), dtype=np.float64)
 
 
 def cut_alike(one: Walk, other: Walk) -> tuple[tuple[Floats, Curves], tuple[Floats, Curves]]:

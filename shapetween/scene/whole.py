@@ -62,8 +62,7 @@ def moved_items(scene: Scene, frame: Frame) -> tuple[Item, ...]:
     """The second drawing's items as they are in the frame."""
     return tuple(
         replace(
-            item,
-            rings=tuple(ring.transformed(frame.back) for ring in item.rings),
+            item.transformed(frame.back),
             style=moved_paint(item.style, frame.back, 1 / frame.growth),
         )
         for item in scene.items

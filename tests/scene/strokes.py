@@ -41,12 +41,12 @@ def flat(curves: Curves, steps: int = 64) -> Points:
     return evaluate(curves, np.arange(steps) / steps).reshape(-1, 2)
 
 
-def painted(lines: Sequence[Outline], width: float) -> shapely.Polygon:
+def painted(lines: Sequence[Outline], width: float, quarter: int = 32) -> shapely.Polygon:
     """What strokes with round caps and joins paint, an independent oracle."""
     drawn = []
     for line in lines:
         points = np.concatenate([flat(line.curves), line.curves[-1:, 3]])
-        drawn.append(shapely.LineString(points).buffer(width / 2, quad_segs=32))
+        drawn.append(shapely.LineString(points).buffer(width / 2, quad_segs=quarter))
     area = shapely.union_all(drawn)
     assert isinstance(area, shapely.Polygon)
     return area

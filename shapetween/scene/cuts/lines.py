@@ -56,7 +56,7 @@ def shared_lines(whole: Scene, parts: Scene) -> Found:
 
 def _opaque(item: Item) -> bool:
     stroke = item.style.stroke
-    if stroke is None or stroke.dashes:
+    if stroke is None or stroke.dashes or item.painted is not None:
         return False
     alpha = 1.0 if isinstance(stroke.paint, Gradient) else stroke.paint.alpha
     return alpha * item.style.opacity > 0.999
