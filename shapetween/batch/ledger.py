@@ -33,18 +33,21 @@ class Ledger:
     ----------
     folder : Path
         Where the batch writes.
+    page : bool
+        Whether to write a page of all pairs too.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *, page: bool = False) -> None:
         self.folder = folder
         self.table = folder / "summary.csv"
         self.full = folder / "summary.json"
+        self._page = folder / "index.html" if page else None
         self._journal = folder / ".batch-journal.jsonl"
 
     @property
     def places(self) -> tuple[Path, ...]:
         """Every file that it writes."""
-        return self.table, self.full, self._journal
+        return self.table, self.full, self._journal, *((self._page,) if self._page else ())
 
     def begin(self, *, resume: bool) -> dict[str, Entry]:
         """Begin a journal, with what is done already if that is wanted.
@@ -69,6 +72,10 @@ class Ledger:
         listed = list(entries)
         files.write_text(self.full, json.dumps({"pairs": listed}, indent=1) + "\n")
         files.write_text(self.table, _table(listed))
+        if self._page is not None:
+            from shapetween.batch.page import page_html
+
+            files.write_text(self._page, page_html(listed, self.folder.resolve().name))
         self._journal.unlink(missing_ok=True)
 
     def _summed(self) -> list[Entry]:

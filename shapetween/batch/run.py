@@ -55,6 +55,7 @@ def run_batch(
     processes: int = 1,
     resume: bool = False,
     times: bool = False,
+    page: bool = False,
     tell: Callable[[Outcome], None] = lambda outcome: None,
 ) -> list[Outcome]:
     """Do all jobs, and write a summary of them.
@@ -77,6 +78,8 @@ def run_batch(
         wrote are as they were.
     times : bool
         Put seconds into the summary, which then differs from run to run.
+    page : bool
+        Write ``index.html`` too, which shows all pairs.
     tell : callable, optional
         Told of every outcome as it comes.
 
@@ -91,7 +94,7 @@ def run_batch(
         If the folder or the summary cannot be written, or two jobs write one file.
     """
     listed = list(jobs)
-    ledger = Ledger(folder)
+    ledger = Ledger(folder, page=page)
     check_jobs(listed, folder, ledger.places)
     _make_folder(folder)
     done = ledger.begin(resume=resume)

@@ -26,7 +26,9 @@ PATIENCE = 10
 _ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 
 #: Options of `morph` that are not those of a row, or are for moving pictures; batches write SVG.
-_NOT_A_ROW = frozenset({"out", "mesh", "report", "quiet", "verbose", "fps", "size", "background"})
+_NOT_A_ROW = frozenset(
+    {"out", "mesh", "report", "quiet", "verbose", "fps", "size", "background", "css"}
+)
 _ROW = {
     param.name or "": param
     for param in morph.params
@@ -85,6 +87,7 @@ _SHARED = [param for param in _ROW.values() if not param.multiple]
 @click.option(
     "--times", is_flag=True, help="Put seconds into the summary; it then differs from run to run."
 )
+@click.option("--page", is_flag=True, help="Write index.html too, which shows and sifts all pairs.")
 @QUIET
 def batch(
     table: Path | None,
@@ -95,6 +98,7 @@ def batch(
     dask: str | None,
     resume: bool,
     times: bool,
+    page: bool,
     quiet: bool,
     **options: Any,
 ) -> None:
@@ -150,6 +154,7 @@ def batch(
                 processes=processes or _cores(),
                 resume=resume,
                 times=times,
+                page=page,
                 tell=tell,
             )
     except KeyboardInterrupt:

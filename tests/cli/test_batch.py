@@ -152,3 +152,8 @@ def started(line: str) -> "subprocess.Popen[str]":
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         start_new_session=True,
     )
+
+
+def test_a_page_of_all_pairs_is_written_where_it_is_asked_for(run: Command, table: Path) -> None:
+    assert "out/index.html" not in run("batch in/pairs.csv -o out -j 1").made
+    assert run("batch in/pairs.csv -o out -j 1 --resume --page").made == {"out/index.html"}
