@@ -15,7 +15,7 @@ from shapetween.base.errors import OptionError
 from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
 from shapetween.cli.told import wrote
-from shapetween.cli.values import PATH, Whole
+from shapetween.cli.values import PATH, OfLeg, Whole
 from shapetween.timing import defaults
 
 __all__ = ["batch"]
@@ -199,12 +199,23 @@ def _reader(param: click.Parameter) -> Callable[[str], Any]:
             _check_easing(cell)
         try:
             if param.multiple:
-                return tuple(param.type.convert(part, param, None) for part in cell.split())
+                return tuple(
+                    _of_pair(param.type.convert(part, param, None)) for part in cell.split()
+                )
             return param.type.convert(cell, param, None)
         except click.BadParameter as error:
             raise OptionError(error.message) from error
 
     return read
+
+
+def _of_pair(value: Any) -> Any:
+    """A pin, or whatever else may be repeated; a row has one leg, which need not be named."""
+    if not isinstance(value, OfLeg):
+        return value
+    if value.leg not in (None, 1):
+        raise OptionError(f"{value.leg}/...: there is but one leg")
+    return value.value
 
 
 def _check_easing(name: str) -> None:
