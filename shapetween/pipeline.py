@@ -12,7 +12,6 @@ from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
-from shapetween.elastic.aboard import LonePart, RidingPart, unrepeated
 from shapetween.elastic.fill import FillSettings, morph_fill
 from shapetween.elastic.naming import is_given
 from shapetween.elastic.parts import FilledPart
@@ -103,15 +102,12 @@ class Prepared:
         What was lost, is doubtful, or was done another way.
     scene : SceneMovement or None
         How the drawings' parts were seen and paired; None of single areas.
-    carrier : FilledPart or None
-        The silhouette that a drawing of several shapes rides on; it is not drawn.
     """
 
     movement: Movement
     fit: Affine
     notices: tuple[Notice, ...]
     scene: SceneMovement | None = None
-    carrier: FilledPart | None = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -120,9 +116,9 @@ class Prepared:
 
     @property
     def filled(self) -> tuple[FilledPart, ...]:
-        """What has meshes: the carrier, and parts that move by themselves."""
-        own: list[FilledPart] = [self.carrier] if self.carrier else []
-        for part in unrepeated(self.movement.parts):
+        """What has meshes of its own."""
+        own: list[FilledPart] = []
+        for part in self.movement.parts:
             if isinstance(part, FilledPart):
                 own.append(part)
             elif isinstance(part, PairPart) and part.frame is None:
@@ -134,13 +130,6 @@ class Prepared:
     def meshed(self) -> tuple[FilledPart, ...]:
         """What can be shown as meshes: also areas that move some simpler way."""
         return self.filled if self.scene is None else self.scene.meshed
-
-    @property
-    def riding(self) -> tuple[RidingPart, ...]:
-        """What becomes something else while it rides."""
-        return tuple(
-            part for part in unrepeated(self.movement.parts) if isinstance(part, RidingPart)
-        )
 
 
 @one_thread()
@@ -193,7 +182,7 @@ def prepare(
     settings.check_used()
     if chosen.folds == "prevent":
         with observe("move"):
-            notices += _of_riders(parts)
+            notices += _of_attached(parts)
     title = " to ".join(t for t in (source.title, target.title) if t)
     movement = Movement(parts, source.box, title)
     return Prepared(movement, matrix, distinct(notices), scene)
@@ -237,18 +226,15 @@ def _closed(shape: Shape) -> Shape:
     return replace(shape, rings=tuple(ring.close() for ring in shape.rings))
 
 
-def _of_riders(parts: tuple[Part, ...]) -> list[Notice]:
-    """What to say of shapes in which something that only rides crosses itself on the way."""
-    own = unrepeated(parts)
+def _of_attached(parts: tuple[Part, ...]) -> list[Notice]:
+    """What to tell of shapes in which something attached crosses itself on the way."""
     crossing = sum(
-        bool(part.crossing(LOOKED).any())
-        for part in own
-        if isinstance(part, FilledPart | LonePart | RidingPart)
+        bool(part.crossing(LOOKED).any()) for part in parts if isinstance(part, FilledPart)
     )
     if not crossing:
         return []
-    among = f"{crossing} of {len(own)} shapes" if len(own) > 1 else "the shape"
-    return [Notice("crossing", f"in {among}, parts that ride along cross themselves on the way")]
+    among = f"{crossing} of {len(parts)} shapes" if len(parts) > 1 else "the shape"
+    return [Notice("crossing", f"in {among}, attached parts cross themselves on the way")]
 
 
 def _corners(box: Box) -> Points:

@@ -7,8 +7,6 @@ from typing import Any
 import numpy as np
 
 from shapetween.base.version import installed_version
-from shapetween.deform.check import LOOKED
-from shapetween.elastic.aboard import RidingPart
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
 from shapetween.match import Matcher
@@ -47,7 +45,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
             for ring in body.nodes.rings
         ],
         "parts": [] if prepared.scene is None else _parts(prepared.scene),
-        "riding": [_riding(part) for part in prepared.riding],
+        "riding": [],  # nothing rides any more; the key stays for one version
         "warnings": list(prepared.warnings),
         "notices": [notice.as_json() for notice in prepared.notices],
     }
@@ -142,18 +140,6 @@ def _parts(scene: SceneMovement) -> list[dict[str, Any]]:
 def _item(item: Item, number: int) -> dict[str, Any]:
     """How a part is called: by its place in the paint order, its shape and that one's name."""
     return {"part": number + 1, "shape": item.shape + 1, "name": item.name}
-
-
-def _riding(part: RidingPart) -> dict[str, Any]:
-    """What is known of a shape that rides: nothing holds its outline but what it rides on."""
-    return {
-        "name": part.name,
-        "rings": len(part.rings),
-        "self_crossing": {
-            "times_checked": len(LOOKED),
-            "found": int(part.crossing(LOOKED).sum()),
-        },
-    }
 
 
 def mesh_figures(pair: MeshPair) -> dict[str, Any]:

@@ -306,6 +306,6 @@ def test_a_hole_that_crosses_itself_while_it_closes_is_told(
         return np.asarray(np.where(inner, swapped, curves))
 
     monkeypatch.setattr(Passenger, "curves", tied)
-    told = "in the shape, parts that ride along cross themselves on the way"
+    told = "in the shape, attached parts cross themselves on the way"
     assert told in prepare(first, second).warnings
     assert told not in prepare(first, second, Options(folds="allow")).warnings

@@ -4,10 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.attach.planes import Plane
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.elastic.aboard import LonePart, RidingPart, ShownPart
 from shapetween.elastic.parts import FilledPart
 from shapetween.geometry.affine import inverted, mapped
 from shapetween.geometry.polygon import polygon_area
@@ -100,8 +98,6 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     InputError
         If a texture cannot be drawn.
     """
-    while isinstance(part, ShownPart):  # what it is filled with while it is shown
-        part = part.part
     styles = [part.style(0.0), part.style(1.0)]
     if all(style.texture is None for style in styles):
         return None
@@ -184,7 +180,7 @@ class _Bodies:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Grid:
-    """A grid around a shape that goes along with the plane the shape rides on, and with the shape.
+    """A grid around a shape that goes along with it.
 
     Attributes
     ----------
@@ -193,17 +189,11 @@ class _Grid:
         Where the shape is whole.
     outline : (K, 2) float64
         Points of the shape there.
-    arrives : bool
-        Whether that is the end.
-    plane : Plane or None
-        None to go with the shape alone, as a whole.
     """
 
     part: Part
     vertices_at_home: Points
     outline: Points
-    arrives: bool
-    plane: Plane | None
 
     @classmethod
     def around(cls, part: Part, whole: int) -> "_Grid":
@@ -213,18 +203,14 @@ class _Grid:
         steps = np.linspace(0.0, 1.0, GRID + 1)[:, None]
         x, y = ((low - room) + steps * (high - low + 2 * room)).T
         grid = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
-        plane = part.plane if isinstance(part, RidingPart | LonePart) else None
-        return cls(part, grid, outline, bool(whole), plane)
+        return cls(part, grid, outline)
 
     def vertices(self, t: Floats) -> Points:
         points = np.concatenate([self.vertices_at_home, self.outline])
-        if self.plane is None:
-            carried = np.repeat(points[None], len(t), axis=0)
-        else:
-            carried = self.plane.hold(points, self.arrives).at(t)
+        carried = np.repeat(points[None], len(t), axis=0)
         grid, outline = np.split(carried @ (1, 1j), [len(self.vertices_at_home)], axis=1)
         shown = self.part.curves(t).reshape(len(t), -1, 2) @ (1, 1j)
-        # Where the shape leaves its plane, the grid goes with it by the best similarity: in complex
+        # The grid goes with the shape by the best similarity: in complex
         # numbers a turn and a size are one factor.
         centres = outline.mean(axis=1, keepdims=True), shown.mean(axis=1, keepdims=True)
         offsets = outline - centres[0]

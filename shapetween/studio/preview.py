@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from shapetween.api import Morph, Pin
-from shapetween.elastic.aboard import ShownPart
 from shapetween.elastic.parts import FilledPart
 from shapetween.geometry.affine import mapped
 from shapetween.outline.preview import Level, Previews
@@ -55,8 +54,6 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph
 
 def _renewed(part: Any, fresh: dict[int, FilledPart]) -> Any:
     """A part of the movement with its outlines as they are now."""
-    if isinstance(part, ShownPart):
-        return replace(part, part=_renewed(part.part, fresh))
     if isinstance(part, PairPart):
         return replace(part, tracks=tuple(_followed(track, fresh) for track in part.tracks))
     return fresh.get(id(part), part)
