@@ -42,6 +42,10 @@ PER_FRAME = 3
 #: that nobody means, and cost time with the square.
 FORCED_TIPS = 5
 
+#: Matchings of the frame that was not chosen which are offered in any case. Fewer, and whoever
+#: meant the thing turned finds it nowhere; more, and they take the places of better ones.
+OTHER_FRAME = 2
+
 #: Places at which a matching's unlikeness is read.
 MEAN_PLACES = 128
 
@@ -126,6 +130,9 @@ class _Comparison:
     def best(self, count: int, forced: bool) -> list[Correspondence]:
         """Distinct matchings, the best one first and refined, at most `count`."""
         ranked = sorted(self._ranked(forced), key=lambda entry: entry.cost)
+        if forced:
+            other = [e for e in ranked if e.candidate.turn != ranked[0].candidate.turn]
+            ranked = [ranked[0], *other[:OTHER_FRAME], *ranked[1:]]
         kept: list[tuple[_Ranked, Candidate]] = []
         for entry in ranked:
             if len(kept) == count:
@@ -138,6 +145,7 @@ class _Comparison:
                 found = self._refined(found, entry.worth)
             if not any(near(found, other) for _, other in kept):
                 kept.append((entry, found))
+        kept[1:] = sorted(kept[1:], key=lambda pair: pair[0].cost)
         costs = [entry.cost for entry, _ in kept]
         made = [self._finished(found, cost) for (_, found), cost in zip(kept, costs, strict=True)]
         value = doubt(costs, [0.0, *(apart(made[0], other) for other in made[1:])])
