@@ -17,6 +17,7 @@ from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.moving import Moving
 from shapetween.geometry.affine import inverted, mapped
 from shapetween.io import files
+from shapetween.io.fonts import fonts_in
 from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
@@ -192,6 +193,7 @@ def morph(
     together: bool = True,
     matching: int = 1,
     pictures: bool = False,
+    font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
 ) -> Morph:
     """Prepare the movement between two drawings.
@@ -223,6 +225,8 @@ def morph(
         report lists them.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
+    font : path, optional
+        A folder with fonts for text in files, looked at before those installed.
     observe : Observer, optional
         Told of every stage as it begins and ends.
 
@@ -243,7 +247,7 @@ def morph(
         matching=matching,
     )
     with observe("read"):
-        drawings = _opened(a, pictures), _opened(b, pictures)
+        drawings = _opened(a, pictures, font), _opened(b, pictures, font)
     names = _name_of(a, "first drawing"), _name_of(b, "second drawing")
     return Morph(prepare(*drawings, options, names=names, observe=observe), method)
 
@@ -257,6 +261,7 @@ def chain(
     fit: Fit = "view",
     folds: Folds = "prevent",
     pictures: bool = False,
+    font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
 ) -> Chain:
     """Prepare the movement through several drawings.
@@ -266,7 +271,7 @@ def chain(
     drawings : iterable of path or Drawing
         SVG files, or drawings already read, at least two. Naming the first one again at the end
         closes the chain.
-    method, quads, folds, pictures
+    method, quads, folds, pictures, font
         As for `shapetween.morph`, for every leg.
     pins : mapping of int to iterable of (ax, ay, bx, by), optional
         Points that belong together, by the leg, counted from 1, each in its own drawing's user
@@ -292,7 +297,7 @@ def chain(
     names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):
         different = {_key(source): source for source in sources}
-        drawn = {key: _opened(source, pictures) for key, source in different.items()}
+        drawn = {key: _opened(source, pictures, font) for key, source in different.items()}
         read = [drawn[_key(source)] for source in sources]
     with observe("fit"):
         frames = [_frame(drawing, read[0], fit) for drawing in read]
@@ -345,13 +350,13 @@ def _pin(given: Iterable[float]) -> Pin:
     return ax, ay, bx, by
 
 
-def _opened(source: Source, pictures: bool = False) -> Drawing:
+def _opened(source: Source, pictures: bool, font: str | PathLike[str] | None) -> Drawing:
     """The drawing, read from its file if need be, with patterns and pictures or without."""
     if isinstance(source, Drawing):
         return source
     path = Path(source)
     beside = pictures_beside(path) if pictures else None
-    return read_svg(files.read_bytes(path), str(source), pictures=beside)
+    return read_svg(files.read_bytes(path), str(source), pictures=beside, fonts=fonts_in(font))
 
 
 def _name_of(source: Source, default: str) -> str:

@@ -32,7 +32,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("chain")
     contents = {
         "a": svg(f"<title>one</title>{SQUARE}"),
-        "b": svg(f"<title>two</title><text>hi</text>{TRIANGLE}", "0 0 20 20"),
+        "b": svg(f"<title>two</title><foreignObject/>{TRIANGLE}", "0 0 20 20"),
         "c": svg(WIDE, "0 0 200 100"),
         "d": svg(TALL, "0 0 20 40"),
     }
@@ -126,7 +126,7 @@ def test_two_drawings_are_a_morph(files: dict[str, Path]) -> None:
 
 def test_what_is_told(closed: st.Chain, files: dict[str, Path]) -> None:
     lost, *doubtful = closed.warnings
-    assert lost.startswith(f"{files['b']}: text was left out")
+    assert lost.startswith(f"{files['b']}: a foreign object was left out")
     a, b, c = (files[name] for name in "abc")
     legs = tuple(f"{first} to {second}: " for first, second in ((a, b), (b, c), (c, a)))
     assert all(warning.startswith(legs) for warning in doubtful)

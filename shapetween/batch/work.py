@@ -81,6 +81,7 @@ def make(task: Task) -> Made | Unmade:
 def _made(task: Task) -> Made:
     from shapetween.api import Morph
     from shapetween.formats.options import write_names
+    from shapetween.io.fonts import fonts_in
     from shapetween.mesh.file import load_meshes
     from shapetween.pipeline import Options, prepare
     from shapetween.svg.read.reader import read_svg
@@ -98,7 +99,10 @@ def _made(task: Task) -> Made:
     meshes = load_meshes(task.mesh, task.names[2]) if task.mesh is not None else []
     options = Options(meshes=tuple(meshes), **given)
     with timed("read"):
-        a, b = (read_svg(*both) for both in zip(task.drawings, task.names[:2], strict=True))
+        a, b = (
+            read_svg(*both, fonts=fonts_in())
+            for both in zip(task.drawings, task.names[:2], strict=True)
+        )
     prepared = prepare(a, b, options, names=task.names[:2], observe=timed)
     result = Morph(prepared, options.method)
     with timed("write"):

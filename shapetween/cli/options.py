@@ -110,6 +110,7 @@ class Common:
     mesh: Path | None
     matching: int
     fit: str
+    font: Path | None
     report: Path | None
     quiet: bool
     verbose: bool
@@ -227,7 +228,13 @@ class Common:
 
     def _for_any_pair(self) -> dict[str, Any]:
         """What serves every pair of a chain alike."""
-        return {"method": self.method, "folds": self.folds, "quads": self.quads, "fit": self.fit}
+        return {
+            "method": self.method,
+            "folds": self.folds,
+            "quads": self.quads,
+            "fit": self.fit,
+            "font": self.font,
+        }
 
 
 #: The options of `Common`, in the order of the help.
@@ -283,6 +290,12 @@ _OPTIONS: tuple[Option, ...] = (
         default="view",
         show_default=True,
         help="Fit B's view box into A's, B's drawn box into A's, or leave B as it is.",
+    ),
+    click.option(
+        "--font",
+        type=PATH,
+        metavar="DIR",
+        help="A folder with fonts for text, looked at before those installed.",
     ),
     report_option("Write how the movement was found, and its figures."),
     QUIET,

@@ -48,10 +48,11 @@ def read(name: str, data: bytes) -> dict[str, Any]:
     ShapetweenError
         If it cannot be read.
     """
+    from shapetween.io.fonts import fonts_in
     from shapetween.svg.read.reader import read_svg
     from shapetween.svg.write.sequence import frame_svg
 
-    drawing = read_svg(data, name)
+    drawing = read_svg(data, name, fonts=fonts_in())
     box = drawing.box
     return {
         "name": name,

@@ -166,7 +166,7 @@ def test_seconds_only_if_wanted(jobs: list[Job], tmp_path: Path) -> None:
 def test_a_bug_costs_one_pair(
     jobs: list[Job], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def broken(data: bytes, name: str) -> None:
+    def broken(data: bytes, name: str, **_: object) -> None:
         raise ZeroDivisionError(name)
 
     with monkeypatch.context() as patch:

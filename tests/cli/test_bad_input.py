@@ -26,7 +26,7 @@ DRAWINGS = {
     "cut-off": (svg(SQUARE)[:-7], "line 1"),
     "another-kind-of-xml": ("<html><body/></html>", "svg"),
     "no-shape": (svg(""), "nothing that can be drawn; expected shapes with a fill"),
-    "text-only": (svg("<text>hi</text>"), "text"),
+    "foreign-only": (svg("<foreignObject/>"), "foreign object"),
     "zero-area": (svg('<path d="M0 0 L5 5 L9 9Z"/>'), ""),
     "one-point": (svg('<path d="M5 5Z"/>'), "nothing that can be drawn"),
     "not-a-number": (svg('<path d="M0 0L NaN 3Z"/>'), "NaN"),

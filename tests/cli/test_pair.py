@@ -80,9 +80,9 @@ def test_a_report_says_how(run: Command, tmp_path: Path) -> None:
 def test_verbose_says_it_and_quiet_says_nothing(run: Command, tmp_path: Path) -> None:
     loud = run("morph a.svg b.svg -v")
     assert json.loads(loud.err)["rings"]
-    (tmp_path / "a.svg").write_text(svg('<path d="M1 1H9V9H1Z"/><text>hi</text>'), "utf-8")
+    (tmp_path / "a.svg").write_text(svg('<path d="M1 1H9V9H1Z"/><foreignObject/>'), "utf-8")
     warned = run("morph a.svg b.svg")
-    assert warned.err.startswith("shapetween: warning: a.svg: text was left out")
+    assert warned.err.startswith("shapetween: warning: a.svg: a foreign object was left out")
     assert warned.err.count("\n") == 1
     quiet = run("morph a.svg b.svg -q -o quiet.svg")
     assert (quiet.code, quiet.out, quiet.err) == (0, "", "")

@@ -15,11 +15,15 @@ from shapetween.svg.read.units import Viewport
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
 
-__all__ = ["Document", "Losses", "Pictures", "href", "label", "title_of"]
+__all__ = ["Document", "Fonts", "Losses", "Pictures", "href", "label", "title_of"]
 
 Pictures: TypeAlias = Callable[[str], str | None]
 """The ``data:`` address of a picture beside the document for its own address; None if it cannot be
 had."""
+
+Fonts: TypeAlias = Callable[[str, int, bool], tuple[str, bytes, int] | None]
+"""The name of a font, its file and its number there for a family in lower case (empty for any), a
+weight, and whether it is slanted; None if there is no such family."""
 
 
 #: Elements that let a drawing move by itself.
@@ -68,6 +72,8 @@ class Document:
     limits : Limits
     pictures : callable, optional
         Where pictures are found. If given, patterns and pictures are read as textures.
+    fonts : callable, optional
+        Where fonts are found. If given, text is read as the outlines of its letters.
 
     Attributes
     ----------
@@ -98,9 +104,15 @@ class Document:
     """
 
     def __init__(
-        self, data: bytes, name: str, limits: Limits, pictures: Pictures | None = None
+        self,
+        data: bytes,
+        name: str,
+        limits: Limits,
+        pictures: Pictures | None = None,
+        fonts: Fonts | None = None,
     ) -> None:
         self.name = name
+        self.fonts = fonts
         self.pictures = pictures
         self.textures = 0
         self.definitions: str | None = None

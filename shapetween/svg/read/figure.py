@@ -17,6 +17,7 @@ from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
 from shapetween.svg.read.subpaths import in_range, subpaths_of
+from shapetween.svg.read.text import letters_of
 from shapetween.svg.read.units import number
 
 __all__ = ["rings_of", "shapes_of"]
@@ -40,6 +41,8 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     properties = placed.frame.properties
     if properties.get("visibility", "visible") != "visible":
         return []
+    if placed.tag == "text":
+        return _letters(document, placed)
     subpaths = subpaths_of(document, placed)
     if not subpaths:
         return []
@@ -51,6 +54,30 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
     style = style_of(document, placed.frame, subpaths, path_length)
     if style.fill is None and style.stroke is None:
         return []
+    return _painted(document, placed, subpaths, style, placed.name)
+
+
+def _letters(document: Document, placed: Placed) -> list[Shape]:
+    """Each letter of a text as a shape; what paints them is laid over the whole text."""
+    letters = letters_of(document, placed)
+    whole = [subpath for letter in letters for subpath in letter.subpaths]
+    shapes = []
+    for letter in letters:
+        properties = letter.frame.properties
+        if properties.get("visibility", "visible") != "visible":
+            continue
+        style = style_of(document, letter.frame, whole, None)
+        if style.fill is not None or style.stroke is not None:
+            name = placed.name if len(letters) == 1 else ""
+            own = replace(placed, frame=letter.frame)
+            shapes += _painted(document, own, letter.subpaths, style, name)
+    return shapes
+
+
+def _painted(
+    document: Document, placed: Placed, subpaths: Sequence[Subpath], style: Style, name: str
+) -> list[Shape]:
+    """What a style paints of subpaths."""
     layers = _layers(document, placed, subpaths, style)
     shapes = []
     for layer in layers:
@@ -61,7 +88,7 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
             if layer.stroke.dashes and len(layers) > 1:
                 # Open where it starts, so that its dashes start there however it moves.
                 parts = [(tuple(Outline(r.curves, closed=False) for r in rings), layer)]
-        shapes += [Shape(kept, own, placed.name) for kept, own in parts if kept]
+        shapes += [Shape(kept, own, name) for kept, own in parts if kept]
     return shapes
 
 

@@ -31,10 +31,13 @@ GROUPS = frozenset({"g", "a", "svg", "switch", "use", "symbol"})
 KEPT = "written as .webp, .png, .gif or .mp4 it is kept"
 #: What is left out, by element, in the words of the warning.
 LOST_ELEMENTS = {
-    "text": "text was left out; convert it to paths to keep it",
+    "text": "text was left out; install shapetween[text], or convert it to paths, to keep it",
     "image": f"an image was left out; {KEPT}",
     "foreignObject": "a foreign object was left out",
 }
+#: Sizes of fonts that have names, in px.
+FONT_SIZES = {"xx-small": 9.0, "x-small": 10.0, "small": 13.0, "medium": 16.0, "large": 18.0}
+FONT_SIZES |= {"x-large": 24.0, "xx-large": 32.0}
 #: Languages a viewer is taken to ask for, in ``systemLanguage``.
 LANGUAGE = "en"
 
@@ -44,7 +47,9 @@ def font_size(properties: Properties, outer: Frame) -> float:
     text = properties.get("font-size")
     if text is None or text == outer.properties.get("font-size"):
         return outer.viewport.font_size
-    size = outer.viewport.length(text, outer.viewport.font_size)
+    size = FONT_SIZES.get(text.lower())
+    if size is None:
+        size = outer.viewport.length(text, outer.viewport.font_size)
     return outer.viewport.font_size if size is None or size <= 0 else size
 
 

@@ -3,6 +3,7 @@
 A value that is not sound loses against what it would override, as it does in browsers.
 """
 
+import re
 from functools import lru_cache
 
 from shapetween.svg.read.colours import parse_paint
@@ -11,7 +12,7 @@ from shapetween.svg.read.shapes import GEOMETRY
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.variables import with_scheme
 
-__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal"]
+__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal", "unfolded"]
 
 INHERITED = frozenset(
     {
@@ -152,6 +153,30 @@ def is_valid(name: str, value: str, styled: bool = True) -> bool:
         bare = number(value)
         return bare is None or bare == 0 or "%" in value
     return True
+
+
+_FONT = re.compile(
+    r"(?P<before>(?:(?:italic|oblique|normal|bold|bolder|lighter|small-caps|\d{3})\s+)*)"
+    r"(?P<size>[\d.]+[a-z%]*)(?:\s*/\s*[\d.a-z%]+)?\s+(?P<family>\S.*)",
+    re.IGNORECASE | re.DOTALL,
+)
+
+
+def unfolded(name: str, value: str) -> dict[str, str]:
+    """A property, or those that a shorthand sets."""
+    found = _FONT.fullmatch(value.strip()) if name == "font" else None
+    if found is None:
+        return {name: value}
+    fonts = {"font-size": found["size"], "font-family": found["family"]}
+    fonts |= {"font-style": "normal", "font-variant": "normal", "font-weight": "normal"}
+    for word in found["before"].lower().split():
+        if word in ("italic", "oblique"):
+            fonts["font-style"] = word
+        elif word == "small-caps":
+            fonts["font-variant"] = word
+        elif word != "normal":
+            fonts["font-weight"] = word
+    return fonts
 
 
 def is_plain(name: str) -> bool:

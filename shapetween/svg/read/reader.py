@@ -16,7 +16,7 @@ from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.svg.read.colours import CURRENT, parse_paint
-from shapetween.svg.read.document import Document, Pictures, title_of
+from shapetween.svg.read.document import Document, Fonts, Pictures, title_of
 from shapetween.svg.read.frames import Frame
 from shapetween.svg.read.gradients import colour_of
 from shapetween.svg.read.limits import Limits
@@ -32,7 +32,11 @@ DEFAULT_SIZE = (300.0, 150.0)
 
 
 def read_svg(
-    data: bytes, name: str, limits: Limits | None = None, pictures: Pictures | None = None
+    data: bytes,
+    name: str,
+    limits: Limits | None = None,
+    pictures: Pictures | None = None,
+    fonts: Fonts | None = None,
 ) -> Drawing:
     """Read a whole SVG document.
 
@@ -47,6 +51,8 @@ def read_svg(
     pictures : callable, optional
         Where pictures beside the file are found. If given, shapes keep patterns, and pictures are
         shapes, both with textures that only a picture of the drawing can show.
+    fonts : callable, optional
+        Where fonts are found. If given, each letter of a text is a shape.
 
     Returns
     -------
@@ -65,13 +71,15 @@ def read_svg(
         If it passes one of the limits.
     """
     try:
-        return _read(data, name, limits or Limits(), pictures)
+        return _read(data, name, limits or Limits(), pictures, fonts)
     except (RecursionError, MemoryError):
         raise BudgetError(name, "is nested too deeply or too large to be read") from None
 
 
-def _read(data: bytes, name: str, limits: Limits, pictures: Pictures | None) -> Drawing:
-    document = Document(data, name, limits, pictures)
+def _read(
+    data: bytes, name: str, limits: Limits, pictures: Pictures | None, fonts: Fonts | None
+) -> Drawing:
+    document = Document(data, name, limits, pictures, fonts)
     root = document.root
     view_box = parse_view_box(root.get("viewBox"))
     if view_box is None and root.get("viewBox", "").strip():

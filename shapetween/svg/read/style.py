@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
-from shapetween.svg.read.properties import INHERITED, PAINTS, is_plain, is_valid, normal
+from shapetween.svg.read.properties import INHERITED, PAINTS, is_plain, is_valid, normal, unfolded
 from shapetween.svg.read.queries import Medium, media_met
 from shapetween.svg.read.sheets import UNLAYERED, Declaration, declarations_of, rules_of
 from shapetween.svg.read.variables import with_scheme, with_variables
@@ -87,12 +87,9 @@ class Cascade:
         usual, important = self._matched.get(element, ((), ()))
         inline = _declarations(element.get("style", ""))
         for sheet, mark in ((usual, False), (important, True)):
-            own.update((name, value) for name, value, _ in sheet if is_valid(name, value))
-            own.update(
-                (name, value)
-                for name, value, marked in inline
-                if marked == mark and is_valid(name, value)
-            )
+            for name, value, marked in (*sheet, *inline):
+                if marked == mark and is_valid(name, value):
+                    own.update(unfolded(name, value))
 
         computed = {
             name: value

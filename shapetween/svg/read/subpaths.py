@@ -27,6 +27,13 @@ def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
     BudgetError
     """
     viewport = placed.frame.viewport
+    if placed.tag == "text":
+        from shapetween.svg.read.text import letters_of  # it stands on paths, which are read here
+
+        if document.fonts is None:
+            return ()
+        letters = letters_of(document, placed)
+        return in_range(document, [sub for letter in letters for sub in letter.subpaths])
     data = document.geometry.get((placed.element, viewport))
     if data is None:
         values = dict(placed.values)

@@ -87,14 +87,15 @@ def walk(
         if properties.get("display") == "none" or not conditions_met(element):
             continue
         picture = tag == "image" and document.pictures is not None
-        if tag in LOST_ELEMENTS and not picture:
+        text = tag == "text" and document.fonts is not None
+        if tag in LOST_ELEMENTS and not picture and not text:
             if properties.get("visibility", "visible") == "visible" and not quiet:
                 document.losses.add(LOST_ELEMENTS[tag])
             continue
         inner = entered(document, element, properties, visit.frame)
         if inner is None:
             continue
-        if tag in SHAPES or picture:
+        if tag in SHAPES or picture or text:
             yield Placed(element, tag, inner)
         else:
             pending.extend(reversed(_inside(document, visit, inner)))
@@ -140,7 +141,7 @@ def object_box(document: Document, element: Element, frame: Frame) -> Box | None
         document.boxes[key] = None  # what draws itself has none
         tag = local_name(element)
         local = replace(frame, matrix=IDENTITY, layers=())
-        if tag in SHAPES or tag == "image":
+        if tag in SHAPES or tag in ("image", "text"):
             document.boxes[key] = _drawn_box(document, Placed(element, tag, local))
         else:
             boxes = []
