@@ -71,7 +71,8 @@ def easing_option(default: str = defaults.EASING) -> Option:
         default=default,
         show_default=True,
         metavar="NAME",
-        help="linear, ease, ease-in, ease-out, ease-in-out or cubic-bezier(x1,y1,x2,y2).",
+        help="linear, ease, ease-in, ease-out, ease-in-out, cubic-bezier(x1,y1,x2,y2), "
+        "spring(mass,stiffness,damping) or linear(0, .3 20%, 1); it may overshoot.",
     )
 
 

@@ -66,6 +66,28 @@ BACKGROUND = click.option(
 @easing_option()
 @loop_option("Stop at the last drawing, start again, or go back and forth.")
 @click.option(
+    "--easing-over",
+    type=Name("leg", "chain"),
+    default="leg",
+    show_default=True,
+    help="Of more than two drawings: ease each way, or all of them as one.",
+)
+@click.option(
+    "--stagger",
+    type=Real(0, 3600),
+    default=0.0,
+    show_default=True,
+    metavar="SECONDS",
+    help="Let parts set off one after another.",
+)
+@click.option(
+    "--stagger-by",
+    type=Name("order", "distance", "left"),
+    default="order",
+    show_default=True,
+    help="As they are painted, from the middle outwards, or from left to right.",
+)
+@click.option(
     "--keyframes",
     type=Keyframes(),
     default="auto",

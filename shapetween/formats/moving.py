@@ -45,11 +45,19 @@ class Moving(ABC):
         """How it was found and what is known of its quality, ready for JSON."""
 
     def at(self, t: float) -> Drawing:
-        """The drawing at one time, from 0 at the first to 1 at the last, every way as long."""
-        if not 0 <= t <= 1:
-            raise OptionError(f"t: {t} is not from 0 to 1")
-        place = t * len(self.movements)
-        leg = max(ceil(place) - 1, 0)
+        """The drawing at one time, from 0 at the first to 1 at the last, every way as long.
+
+        Before 0 and after 1 the movement goes on as `shapetween.model.movement` says, for one way.
+        """
+        count = len(self.movements)
+        if not -1 / count <= t <= 1 + 1 / count:
+            past = "" if count == 1 else f"/{count}"
+            raise OptionError(
+                f"t: {t} is not from 0 to 1, nor past it by at most 1{past}, as far as movement "
+                "goes on"
+            )
+        place = t * count
+        leg = min(max(ceil(place) - 1, 0), count - 1)
         return self.movements[leg].at(np.array([place - leg]))[0]
 
     def frames(self, count: int, easing: str = defaults.EASING) -> list[Drawing]:

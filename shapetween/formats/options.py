@@ -14,6 +14,9 @@ __all__ = ["CSS_FORMS", "STARTS", "WriteOptions", "write_names", "write_options"
 #: What a style sheet can animate.
 CSS_FORMS = ("path", "shape", "d")
 
+#: Most seconds between two parts: more is a slip of the hand.
+MOST_STAGGER = 3600.0
+
 #: What can set a movement going; an SVG by itself has only the first three.
 STARTS = ("load", "click", "hover", "seen", "scroll", "drag")
 
@@ -41,6 +44,14 @@ class WriteOptions:
         of what is drawn where that is smaller.
     frames : int
         How many separate frames from each drawing to the next, both counted.
+    easing_over : {"leg", "chain"}
+        Whether the easing is that of each way, or of all of a chain as a whole.
+    stagger : float
+        Seconds between the moments at which one part and the next set off; each of them moves for
+        `duration`.
+    stagger_by : {"order", "distance", "left"}
+        Which sets off first: what is painted first, what is nearest to the middle of the drawing,
+        or what is farthest to the left. Parts at one place set off together.
     start : {"load", "click", "hover", "seen", "scroll", "drag"}
         What sets it going: the page, a click, with the next one going back, a pointer over it,
         being seen, being scrolled past, or being dragged across.
@@ -62,6 +73,9 @@ class WriteOptions:
     keyframes: Literal["auto"] | int = "auto"
     precision: int | None = None
     frames: int = 24
+    easing_over: Literal["leg", "chain"] = "leg"
+    stagger: float = 0.0
+    stagger_by: Literal["order", "distance", "left"] = "order"
     start: Literal["load", "click", "hover", "seen", "scroll", "drag"] = "load"
     css: Literal["path", "shape", "d"] = "path"
     fps: float | None = None
@@ -91,6 +105,18 @@ class WriteOptions:
             )
         if not _whole(self.frames, 1, defaults.MOST_FRAMES):
             raise OptionError(f"{self.frames} frames: expected from 1 to {defaults.MOST_FRAMES}")
+        for name, value, known in (
+            ("easing_over", self.easing_over, ("leg", "chain")),
+            ("stagger_by", self.stagger_by, ("order", "distance", "left")),
+        ):
+            if value not in known:
+                raise OptionError(f"{name} {value!r}: expected {', '.join(known)}")
+        if not 0 <= self.stagger <= MOST_STAGGER:
+            raise OptionError(
+                f"stagger {self.stagger}: expected seconds, from 0 to {MOST_STAGGER:g}"
+            )
+        if self.stagger_by != "order" and self.stagger == 0:
+            raise OptionError("stagger_by: changes nothing without stagger")
         if self.start not in STARTS:
             raise OptionError(f"start {self.start!r}: expected {', '.join(STARTS)}")
         if self.css not in CSS_FORMS:

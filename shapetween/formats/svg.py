@@ -18,7 +18,7 @@ def animated(segments: Segments, options: WriteOptions, observe: Observer = unob
     del observe
     text = smil_svg(
         *segments.movements,
-        duration=options.duration,
+        duration=segments.ways or options.duration,
         easing=options.easing,
         loop=options.loop,
         hold=options.hold,

@@ -15,8 +15,8 @@ from typing import Protocol, TypeAlias
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.segments import Segments
 from shapetween.io import files
-from shapetween.model.movement import Movement
 
 __all__ = [
     "FRAMES",
@@ -32,29 +32,6 @@ __all__ = [
 
 Content: TypeAlias = str | bytes | Callable[[Path], None]
 """A file's text or bytes; or what writes it as it comes, where that is too much to be held."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Segments:
-    """What is written: movements that follow each other, often a single one.
-
-    Attributes
-    ----------
-    movements : tuple of Movement
-        Each starts with the drawing that the one before ends with, all in the box and under the
-        title of the first.
-    closed : bool
-        Whether the last drawing is the first one again.
-    name : str
-        What the format may call it inside the file: the stem of the file's name.
-    warnings : tuple of str
-        What was lost or is doubtful in it, for formats that show such things.
-    """
-
-    movements: tuple[Movement, ...]
-    closed: bool = False
-    name: str = "morph"
-    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,20 +111,26 @@ class Writer:
         OptionError
             If an option has no effect here, or cannot be used.
         """
+        from shapetween.formats.paced import paced
+
         self.check(options)
+        segments, options = paced(segments, options)
         module, name = self.home.split(":")
         function: WriterFunction = getattr(import_module(module), name)
         return function(segments, options, observe)
 
 
-_TIMING = ("duration", "easing", "loop", "hold")
+_PACE = ("duration", "easing", "stagger", "stagger_by", "hold")
+_TIMING = (*_PACE, "loop")
 _FILM = (*_TIMING, "fps", "size", "background")
 
 
 def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
-    yield Writer(".svg", "an animated SVG", svg, (*_TIMING, "keyframes", "precision"))
+    yield Writer(
+        ".svg", "an animated SVG", svg, (*_TIMING, "easing_over", "keyframes", "precision")
+    )
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
@@ -159,7 +142,7 @@ def _writers() -> Iterator[Writer]:
     home = "shapetween.formats.css:css"
     yield Writer(".css", "a style sheet", home, (*keyed, "size", "css"))
     home = "shapetween.formats.android:vector_drawable"
-    once = ("duration", "easing", "hold", "keyframes", "precision")
+    once = (*_PACE, "keyframes", "precision")
     yield Writer(".xml", "an Android vector drawable", home, once)
     yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
     home = "shapetween.formats.player.writer:html"

@@ -1,6 +1,7 @@
 """Textures inside moving shapes: both ends' as pictures, and the mesh that carries them."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Part
 from shapetween.model.paint import Style
+from shapetween.model.retimed import RetimedPart
 from shapetween.outline.body import Carried, VertexPath
 from shapetween.raster.field import Field
 from shapetween.raster.light import Shares
@@ -54,6 +56,8 @@ class Fill:
         What fills it at the start and at the end.
     empty : tuple of str
         Files whose texture shows nothing, as a picture does that is damaged.
+    clocks : tuple of callable
+        From a frame's time to the movement's, the last one first.
     """
 
     path: VertexPath
@@ -61,10 +65,17 @@ class Fill:
     ends: tuple[Points, Points]
     pictures: tuple[Picture, Picture]
     empty: tuple[str, ...] = ()
+    clocks: tuple[Callable[[Floats], Floats], ...] = ()
 
     def vertices(self, t: Floats) -> Points:
         """The mesh at the times (F,), (F, V, 2), in user units."""
-        return self.path.vertices(t)
+        return self.path.vertices(self._shown(t))
+
+    def _shown(self, t: Floats) -> Floats:
+        """The movement's own times, which end at its ends: what fills a part does not overshoot."""
+        for clock in reversed(self.clocks):
+            t = clock(t)
+        return np.asarray(np.clip(t, 0.0, 1.0))
 
     def light(self, vertices: Points, seen: Mask, t: float) -> Shares:
         """Light of the pixels that are seen, (N, 4) in units of 1 / FULL, row by row.
@@ -76,6 +87,7 @@ class Fill:
         seen : (H, W) bool
         t : float
         """
+        t = float(self._shown(np.array([t]))[0])
         field = Field.of(vertices[self.triangles], seen)
         light = np.zeros((len(field.x), 4), np.float32)
         for picture, corners, share in zip(self.pictures, self.ends, (1 - t, t), strict=True):
@@ -98,6 +110,9 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     InputError
         If a texture cannot be drawn.
     """
+    if isinstance(part, RetimedPart):
+        fill = fill_of(part.part, fit)
+        return None if fill is None else replace(fill, clocks=(*fill.clocks, part.times))
     styles = [part.style(0.0), part.style(1.0)]
     if all(style.texture is None for style in styles):
         return None

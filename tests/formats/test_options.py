@@ -31,6 +31,10 @@ BAD: list[tuple[dict[str, object], str]] = [
     ({"background": "none"}, "background 'none'"),
     ({"css": "clip"}, "css 'clip': expected path, shape, d"),
     ({"start": "wish"}, "start 'wish': expected load, click, hover, seen, scroll, drag"),
+    ({"easing_over": "all"}, "easing_over 'all': expected leg, chain"),
+    ({"stagger": -1.0}, "stagger -1.0"),
+    ({"stagger_by": "size", "stagger": 1.0}, "stagger_by 'size'"),
+    ({"stagger_by": "left"}, "stagger_by: changes nothing without stagger"),
     ({"speed": 3}, "speed: is no option of writing; expected duration, "),
 ]
 
@@ -63,6 +67,8 @@ def test_an_option_without_effect_is_refused(writer) -> None:  # type: ignore[no
         "keyframes": 9,
         "precision": 2,
         "frames": 3,
+        "easing_over": "chain",
+        "stagger": 0.5,
         "start": "click",
         "css": "shape",
         "fps": 12.0,
@@ -70,6 +76,8 @@ def test_an_option_without_effect_is_refused(writer) -> None:  # type: ignore[no
         "background": "#fff",
     }
     for field in fields(WriteOptions):
+        if field.name == "stagger_by":  # which goes with stagger
+            continue
         options = write_options({field.name: other[field.name]})
         if field.name in writer.takes:
             writer.check(options)

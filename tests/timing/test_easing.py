@@ -9,7 +9,13 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
-from shapetween.timing.easing import EASINGS, easing_function, even_times
+from shapetween.timing.easing import (
+    EASINGS,
+    easing_function,
+    even_times,
+    is_plain,
+    overshoots,
+)
 from shapetween.timing.keyframes import keyframes
 from shapetween.timing.schedule import Schedule
 
@@ -61,7 +67,13 @@ def test_easings_solve_their_bezier(name: str, s: float) -> None:
         "",
         "easy",
         "cubic-bezier(0,0,1)",
-        "cubic-bezier(0,0,1,2)",
+        "cubic-bezier(0,0,2,1)",
+        "linear()",
+        "linear(0)",
+        "linear(0, 1 2)",
+        "linear(a, 1)",
+        "spring(1,2)",
+        "spring(1,2,x)",
         "cubic-bezier(nan,0,1,1)",
         "0,0,1,1",
     ],
@@ -69,6 +81,61 @@ def test_easings_solve_their_bezier(name: str, s: float) -> None:
 def test_unknown_easings_are_refused(name: str) -> None:
     with pytest.raises(OptionError, match="expected linear, ease"):
         easing_function(name)
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("cubic-bezier(.3,9,.6,1)", "runs to"),
+        ("cubic-bezier(.3,-9,.6,1)", "runs to"),
+        ("linear(0, 3, 1)", "runs to"),
+        ("linear(.5, 1)", "run from 0 to 1"),
+        ("linear(0 10%, 1)", "run from 0 to 1"),
+        ("spring(0,1,1)", "numbers above 0"),
+        ("spring(1,100,.1)", "never rests; expected from 1 to 400"),
+        ("spring(1,100,9999)", "never rests"),
+    ],
+)
+def test_easings_that_cannot_be_shown_are_refused(name: str, says: str) -> None:
+    with pytest.raises(OptionError, match=says):
+        easing_function(name)
+
+
+@pytest.mark.parametrize("damping", [1.5, 10.0, 19.999, 20.0, 20.001, 60.0])
+def test_springs_obey_their_equation(damping: float) -> None:
+    """On any clock: m x'' + c x' + k (x - 1) = 0 is solved by one length of the way."""
+    u = np.linspace(0, 1, 20_001)
+    x = easing_function(f"spring(1,100,{damping})")(u)
+    assert (x[0], x[-1]) == (0, 1)
+    step = u[1]
+    speed, pull = np.gradient(x, step), np.gradient(np.gradient(x, step), step)
+    inner = slice(50, -50)
+    # With time = length * u: x'' / length^2 + damping x' / length = 100 (1 - x).
+    terms = np.stack([pull, damping * speed, 100 * (1 - x)], axis=1)[inner]
+    lengths = np.linspace(0.1, 12, 6000)
+    off = [abs(terms @ (1 / n**2, 1 / n, -1)).max() for n in lengths]
+    assert min(off) < 1.0
+    assert (x.max() > 1.001) == (damping < 15)
+
+
+def test_css_linear() -> None:
+    ease = easing_function("linear(0, 1 20% 40%, .5, 1)")
+    np.testing.assert_allclose(
+        ease(np.array([0, 0.1, 0.2, 0.3, 0.4, 0.55, 0.7, 0.85, 1])),
+        [0, 0.5, 1, 1, 1, 0.75, 0.5, 0.75, 1],
+    )
+
+
+def test_overshoot_as_css_has_it() -> None:
+    """Values of CSS's own ``cubic-bezier(.34,1.56,.64,1)``, by its definition."""
+    s = np.linspace(0, 1, 11)
+    x = 3 * (1 - s) ** 2 * s * 0.34 + 3 * (1 - s) * s**2 * 0.64 + s**3
+    y = 3 * (1 - s) ** 2 * s * 1.56 + 3 * (1 - s) * s**2 * 1 + s**3
+    np.testing.assert_allclose(easing_function("cubic-bezier(.34,1.56,.64,1)")(x), y, atol=1e-9)
+    assert overshoots("cubic-bezier(.34,1.56,.64,1)")
+    assert not is_plain("cubic-bezier(.34,1.56,.64,1)")
+    assert is_plain("ease")
+    assert not overshoots("linear(0, .5, 1)")
 
 
 def test_even_times() -> None:

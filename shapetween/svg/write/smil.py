@@ -40,7 +40,7 @@ INSIDE = (1e-6, 1 - 1e-6)
 
 def smil_svg(
     *legs: Movement,
-    duration: float = defaults.DURATION,
+    duration: float | tuple[float, ...] = defaults.DURATION,
     easing: str = defaults.EASING,
     loop: Loop = "once",
     hold: float = 0.0,
@@ -55,8 +55,8 @@ def smil_svg(
     *legs : Movement
         Each starts with the drawing that the one before ends with. All are shown in the box, and
         under the title, of the first.
-    duration : float
-        Seconds of each of them.
+    duration : float or tuple of float
+        Seconds of each of them, or of one after the other.
     easing : str
         That of each; see `shapetween.timing.easing.easing_function`. The default shows at every
         moment what the frame of that time shows.
@@ -78,7 +78,8 @@ def smil_svg(
     OptionError
         If an option cannot be used; the message says what could.
     """
-    clock = _clock(Timeline((duration,) * len(legs), loop, hold, closed), easing, keyframes)
+    ways = duration if isinstance(duration, tuple) else (duration,) * len(legs)
+    clock = _clock(Timeline(ways, loop, hold, closed), easing, keyframes)
     first = legs[0]
     ends = [drawing for leg in legs for drawing in leg.at(np.array([0.0, 1.0]))]
     decimals = max(decimals_of(drawing, precision) for drawing in ends)
