@@ -21,7 +21,7 @@ from shapetween.io.fonts import fonts_in
 from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
-from shapetween.model.fit import Fit, fit_matrix
+from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement
 from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.pipeline import Folds, Options, Prepared, prepare
@@ -192,6 +192,7 @@ def morph(
     folds: Folds = "prevent",
     together: bool = True,
     matching: int = 1,
+    flip: Flip = "none",
     pictures: bool = False,
     font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
@@ -223,6 +224,8 @@ def morph(
     matching : int
         Which of the distinct ways for one outline to become the other, the best one being 1; the
         report lists them.
+    flip : {"none", "b"}
+        "b" mirrors the second drawing about its upright axis first.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
     font : path, optional
@@ -245,6 +248,7 @@ def morph(
         folds=folds,
         together=together,
         matching=matching,
+        flip=flip,
     )
     with observe("read"):
         drawings = _opened(a, pictures, font), _opened(b, pictures, font)

@@ -20,7 +20,7 @@ from shapetween.interpolate import check_method
 from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
-from shapetween.model.fit import Fit, fit_matrix
+from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement, Part
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
@@ -64,6 +64,8 @@ class Options:
         mesh of its own, as all do where meshes are given.
     matching : int
         Which of the distinct matchings of two outlines to take, the best one being 1.
+    flip : {"none", "b"}
+        Whether the second drawing is mirrored about its upright axis first.
     """
 
     method: str = "projective"
@@ -75,6 +77,7 @@ class Options:
     folds: Folds = "prevent"
     together: bool = True
     matching: int = 1
+    flip: Flip = "none"
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
@@ -161,7 +164,7 @@ def prepare(
     """
     chosen = Options() if options is None else options
     with observe("fit"):
-        matrix = fit_matrix(source, target, chosen.fit)
+        matrix = fit_matrix(source, target, chosen.fit, chosen.flip)
         shapes = source.shapes, target.transformed(matrix).shapes
         settled = _settled(*shapes, chosen.matches)
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)

@@ -112,6 +112,7 @@ class Common:
     matching: int
     fit: str
     font: Path | None
+    flip: str
     report: Path | None
     quiet: bool
     verbose: bool
@@ -123,7 +124,12 @@ class Common:
         if len(drawings) == 2:
             return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
         chosen = None if self.matching == 1 else self.matching
-        of_a_pair = {"--match": self.matches, "--mesh": self.mesh, "--matching": chosen}
+        of_a_pair = {
+            "--match": self.matches,
+            "--mesh": self.mesh,
+            "--matching": chosen,
+            "--flip": self.flip != "none",
+        }
         for name, value in of_a_pair.items():
             if value:
                 raise OptionError(
@@ -167,6 +173,7 @@ class Common:
             "matches": self.matches,
             "mesh": meshes,
             "matching": self.matching,
+            "flip": self.flip,
         }
 
     @property
@@ -297,6 +304,13 @@ _OPTIONS: tuple[Option, ...] = (
         type=PATH,
         metavar="DIR",
         help="A folder with fonts for text, looked at before those installed.",
+    ),
+    click.option(
+        "--flip",
+        type=Name("none", "b"),
+        default="none",
+        show_default=True,
+        help="Mirror B about its upright axis first, where the two face opposite ways.",
     ),
     report_option("Write how the movement was found, and its figures."),
     QUIET,

@@ -173,7 +173,8 @@ def _of_facing(outer: RingMatch) -> list[Notice]:
     """What to tell of two outlines that seem to face opposite ways."""
     if outer.coarse or not Matcher(outer.source, outer.target).faces_other_way(outer.matching):
         return []
-    return [Notice("facing", "the drawings seem to face opposite ways")]
+    remedy = "--flip b mirrors the second one"
+    return [Notice("facing", f"the drawings seem to face opposite ways; {remedy}")]
 
 
 def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:

@@ -11,14 +11,25 @@ from shapetween.base.arrays import Affine
 from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Drawing
 
-__all__ = ["Fit", "fit_matrix"]
+__all__ = ["Fit", "Flip", "fit_matrix"]
 
 Fit: TypeAlias = Literal["view", "geometry", "none"]
 """What is fitted: the view boxes, the boxes of what is drawn, or nothing."""
 
+Flip: TypeAlias = Literal["none", "b"]
+"""Which drawing is mirrored: none, or the second one."""
 
-def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
+
+def fit_matrix(source: Drawing, target: Drawing, fit: Fit, flip: Flip = "none") -> Affine:
     """Map from the target's user units to the source's.
+
+    Parameters
+    ----------
+    source, target : Drawing
+    fit : Fit
+    flip : Flip
+        "b" mirrors the target about the upright axis of what is fitted, of its view box where
+        nothing is.
 
     Returns
     -------
@@ -28,8 +39,15 @@ def fit_matrix(source: Drawing, target: Drawing, fit: Fit) -> Affine:
     Raises
     ------
     OptionError
-        If there is no such fit.
+        If there is no such fit or flip.
     """
+    if flip not in get_args(Flip):
+        raise OptionError(f"flip: {flip!r} is none of {', '.join(get_args(Flip))}")
+    if flip == "b":
+        box = target.drawn if fit == "geometry" else target.box
+        plain = fit_matrix(source, target, fit)
+        middle = 2 * (box.x + box.width / 2)
+        return np.column_stack([-plain[:, 0], plain[:, 1], plain[:, 2] + middle * plain[:, 0]])
     if fit not in get_args(Fit):
         raise OptionError(f"fit: {fit!r} is none of {', '.join(get_args(Fit))}")
     if fit == "none":
