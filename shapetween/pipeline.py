@@ -187,7 +187,7 @@ def prepare(
         with observe("move"):
             notices += _of_attached(parts)
     title = " to ".join(t for t in (source.title, target.title) if t)
-    movement = Movement(parts, source.box, title)
+    movement = Movement(parts, source.box, title, source.page)
     return Prepared(movement, matrix, distinct(notices), scene)
 
 

@@ -148,7 +148,8 @@ def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
     """
     alpha = _mix(a.alpha, b.alpha, t)
     if (a.red, a.green, a.blue) == (b.red, b.green, b.blue):
-        return replace(a, alpha=alpha)
+        same = a.reference if a.reference == b.reference else ""
+        return replace(a, alpha=alpha, reference=same)
     share = t * b.alpha / alpha if alpha > 0 else t
     return from_oklab((1 - share) * to_oklab(a) + share * to_oklab(b), alpha)
 

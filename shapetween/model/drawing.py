@@ -52,12 +52,15 @@ class Drawing:
     title : str
     warnings : tuple of str
         What the file holds that could not be carried, one line each.
+    page : tuple of (str, str)
+        Attributes of the file's root that say how it is shown in a page, such as its width.
     """
 
     shapes: tuple[Shape, ...] = field(repr=False)
     box: Box
     title: str = ""
     warnings: tuple[str, ...] = ()
+    page: tuple[tuple[str, str], ...] = ()
 
     @property
     def drawn(self) -> Box:
@@ -90,4 +93,4 @@ class Drawing:
                 )
             rings = tuple(ring.transformed(matrix) for ring in shape.rings)
             shapes.append(Shape(rings, style, shape.name))
-        return Drawing(tuple(shapes), self.box, self.title, self.warnings)
+        return Drawing(tuple(shapes), self.box, self.title, self.warnings, self.page)

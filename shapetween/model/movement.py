@@ -49,11 +49,12 @@ class Part(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Movement:
-    """Parts in paint order, and the box they are seen in."""
+    """Parts in paint order, the box they are seen in, and the root's attributes in a page."""
 
     parts: tuple[Part, ...]
     box: Box
     title: str = ""
+    page: tuple[tuple[str, str], ...] = ()
 
     def at(self, t: Floats) -> tuple[Drawing, ...]:
         """The drawings at the times (F,), one each, which may be past the ends."""
@@ -69,7 +70,7 @@ class Movement:
                 shapes.append(
                     Shape(tuple(rings), part.style(min(max(float(time), 0.0), 1.0)), part.name)
                 )
-            drawings.append(Drawing(tuple(shapes), self.box, self.title))
+            drawings.append(Drawing(tuple(shapes), self.box, self.title, page=self.page))
         return tuple(drawings)
 
 

@@ -12,12 +12,17 @@ FillRule: TypeAlias = Literal["nonzero", "evenodd"]
 
 @dataclass(frozen=True, slots=True)
 class Colour:
-    """An sRGB colour, not premultiplied, every component from 0 to 1."""
+    """An sRGB colour, not premultiplied, every component from 0 to 1.
+
+    Where it is the page's to choose, `reference` is what asks for it, as ``currentColor``; the
+    components are then what it is where the page says nothing.
+    """
 
     red: float = 0.0
     green: float = 0.0
     blue: float = 0.0
     alpha: float = 1.0
+    reference: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -200,7 +200,7 @@ class Film:
         """Shapes as resvg draws them, (H, W, 4)."""
         width, height = self.size
         there = Drawing(tuple(shapes), Box(0, 0, width, height)).transformed(self.fit)
-        return drawn(frame_svg(there, DECIMALS), width, height)
+        return drawn(frame_svg(there, DECIMALS, in_page=False), width, height)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -4,6 +4,7 @@
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Literal
 from xml.etree.ElementTree import Element
 
@@ -34,7 +35,7 @@ _BLACK = Colour()
 
 def with_alpha(colour: Colour, share: float) -> Colour:
     """A colour with its alpha multiplied."""
-    return Colour(colour.red, colour.green, colour.blue, colour.alpha * share)
+    return replace(colour, alpha=colour.alpha * share)
 
 
 def colour_of(properties: Properties, name: str) -> Colour:

@@ -1,6 +1,7 @@
 """Properties of a shape to the values it is painted with."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal, cast
 
 import numpy as np
@@ -15,7 +16,7 @@ from shapetween.svg.read.gradients import GRADIENTS, colour_of, gradient, with_a
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.placing import KEPT
 from shapetween.svg.read.rings import bounds
-from shapetween.svg.read.style import Properties
+from shapetween.svg.read.style import Properties, page_key
 from shapetween.svg.read.units import number
 from shapetween.svg.read.xml import local_name
 from shapetween.svg.textures import pattern_texture, picture_texture
@@ -106,10 +107,14 @@ def _paint(
             return with_alpha(STAND_IN, alpha)
         if value.colour is None:
             document.losses.add(f"a {name} names no gradient in this file and was left out")
-    colour = colour_of(properties, "color") if value.colour == CURRENT else value.colour
+    current = value.colour == CURRENT
+    colour = colour_of(properties, "color") if current else value.colour
     if not isinstance(colour, Colour) or colour.alpha == 0:
         return None
-    return with_alpha(colour, alpha)
+    reference = properties.get(page_key("color" if current else name), "")
+    if current and "color" not in properties:
+        reference = "currentColor"
+    return with_alpha(replace(colour, reference=reference), alpha)
 
 
 def _in_context(frame: Frame, text: str) -> str:

@@ -31,6 +31,15 @@ __all__ = ["read_svg"]
 DEFAULT_SIZE = (300.0, 150.0)
 
 
+#: Attributes of the root that are kept: its size, and what it is to the page.
+IN_PAGE = frozenset({"width", "height", "preserveAspectRatio", "class", "role"})
+
+#: Attributes that name elements by ids, which need not be in what is written.
+NAMING = frozenset(
+    {"aria-labelledby", "aria-describedby", "aria-details", "aria-owns", "aria-controls"}
+)
+
+
 def read_svg(
     data: bytes,
     name: str,
@@ -105,7 +114,7 @@ def _read(
     assert shown is not None  # there are shapes
     if sheet is not None:
         shapes.insert(0, sheet)
-    return Drawing(tuple(shapes), shown, title_of(root), tuple(losses))
+    return Drawing(tuple(shapes), shown, title_of(root), tuple(losses), _in_page(root))
 
 
 def _sheet(document: Document, box: Box) -> Shape | None:
@@ -124,6 +133,15 @@ def _sheet(document: Document, box: Box) -> Shape | None:
     corners = np.array([[box.x, box.y], [right, box.y], [right, bottom], [box.x, bottom]])
     ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
     return Shape((ring,), Style(colour))
+
+
+def _in_page(root: Element) -> tuple[tuple[str, str], ...]:
+    """Attributes of the root that say how it is shown in a page; what names an id is none."""
+    return tuple(
+        (name, value)
+        for name, value in root.items()
+        if name in IN_PAGE or (name.startswith("aria-") and name not in NAMING)
+    )
 
 
 def _page(root: Element) -> Box | None:

@@ -13,10 +13,10 @@ from xml.etree.ElementTree import Element
 from shapetween.svg.read.properties import INHERITED, PAINTS, is_plain, is_valid, normal, unfolded
 from shapetween.svg.read.queries import Medium, media_met
 from shapetween.svg.read.sheets import UNLAYERED, Declaration, declarations_of, rules_of
-from shapetween.svg.read.variables import with_scheme, with_variables
+from shapetween.svg.read.variables import is_of_the_page, with_scheme, with_variables
 from shapetween.svg.read.xml import local_name
 
-__all__ = ["ANIMATED", "Cascade", "Properties"]
+__all__ = ["ANIMATED", "Cascade", "Properties", "page_key"]
 
 Properties = Mapping[str, str]
 
@@ -31,6 +31,11 @@ MOST_PROPERTIES = 200
 _PLAIN = re.compile(r"""(?:[^-"'()\\/{}!@\[\]]|-(?!-)|\([^"'()\\/{}!@;\[\]]*\))*+""")
 
 Spend: TypeAlias = Callable[[str, int], None]
+
+
+def page_key(name: str) -> str:
+    """Where a property's own text is kept if the page has a say in it; inherited as custom ones."""
+    return f"--({name})"
 
 
 class Cascade:
@@ -121,6 +126,10 @@ class Cascade:
 
     def _set(self, computed: dict[str, str], parent: Properties, name: str, value: str) -> None:
         """Take in the value of one property."""
+        if name in PAINTS:
+            computed.pop(page_key(name), None)
+            if is_of_the_page(value, computed):
+                computed[page_key(name)] = value
         if "var(" in value.lower():
             resolved = with_variables(value, computed)
             if resolved is None or not is_valid(name, resolved):
@@ -137,6 +146,8 @@ class Cascade:
         if keyword == "inherit":
             if name in parent:
                 computed[name] = parent[name]
+            if page_key(name) in parent:
+                computed[page_key(name)] = parent[page_key(name)]
         elif keyword == "initial":
             computed.pop(name, None)
         elif keyword not in ("unset", "revert", "revert-layer"):

@@ -39,6 +39,20 @@ def with_variables(value: str, properties: Mapping[str, str]) -> str | None:
         return None
 
 
+def is_of_the_page(value: str, properties: Mapping[str, str]) -> bool:
+    """Whether a value is one ``var()`` that only the page can say, and has a fallback."""
+    tokens = [
+        token
+        for token in tinycss2.parse_component_value_list(value, skip_comments=True)
+        if token.type != "whitespace"
+    ]
+    if len(tokens) != 1 or tokens[0].type != "function" or tokens[0].lower_name != "var":
+        return False
+    inside = tinycss2.serialize(tokens[0].arguments)
+    name, comma, fallback = inside.partition(",")
+    return bool(comma) and name.strip() not in properties and "var(" not in fallback.lower()
+
+
 def _replaced(tokens: Sequence[Any], properties: Mapping[str, str], depth: int) -> str:
     if depth > MOST_REFERENCES:
         raise _Missing

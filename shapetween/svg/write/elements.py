@@ -48,11 +48,12 @@ _PREFIX = "\0"
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def document(box: Box, title: str) -> ET.Element:
-    """An empty SVG document that shows `box`."""
+def document(box: Box, title: str, page: Sequence[tuple[str, str]] = ()) -> ET.Element:
+    """An empty SVG document that shows `box`, with attributes for the page it is in."""
     decimals = decimals_for(box) + 3
     numbers = (number(value, decimals) for value in (box.x, box.y, box.width, box.height))
     root = ET.Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": " ".join(numbers)})
+    root.attrib.update((name, _NOT_XML.sub("", value)) for name, value in page)
     if title:
         ET.SubElement(root, "title").text = _NOT_XML.sub("", title)
     return root
@@ -113,12 +114,15 @@ class GradientDefs:
         What the document shows.
     classes : dict
         Names of classes by their style.
+    in_page : bool
+        Whether colours that are the page's to choose are asked of it.
     """
 
     decimals: int
     element: ET.Element = field(default_factory=lambda: ET.Element("defs"))
     box: Box = field(default_factory=lambda: Box(0.0, 0.0, 1.0, 1.0))
     classes: dict[str, str] = field(default_factory=dict)
+    in_page: bool = True
 
     def reserve(self, tag: str, attributes: Mapping[str, str]) -> tuple[ET.Element, str]:
         """An empty definition, and what attributes say to use it."""
@@ -203,7 +207,8 @@ def paint_attributes(name: str, paint: Paint, gradients: GradientDefs) -> dict[s
         return {name: "none"}
     if isinstance(paint, Gradient):
         return {name: gradients.add(paint)[1]}
-    return {name: colour_text(paint)} | _unless_one(f"{name}-opacity", paint.alpha)
+    text = paint.reference if paint.reference and gradients.in_page else colour_text(paint)
+    return {name: text} | _unless_one(f"{name}-opacity", paint.alpha)
 
 
 def style_attributes(style: Style, decimals: int) -> dict[str, str]:

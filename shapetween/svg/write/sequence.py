@@ -12,7 +12,7 @@ from shapetween.svg.write.numbers import decimals_of
 __all__ = ["frame_svg"]
 
 
-def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
+def frame_svg(drawing: Drawing, precision: int | None = None, *, in_page: bool = True) -> str:
     """Write one drawing.
 
     Parameters
@@ -21,6 +21,10 @@ def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
     precision : int, optional
         Decimals of coordinates; by default about 1/10000 of the larger side of the view
         box, or of what is drawn where that is smaller.
+
+    in_page : bool
+        Whether colours that are the page's to choose are asked of it, which not every program that
+        draws SVG understands.
 
     Returns
     -------
@@ -32,8 +36,8 @@ def frame_svg(drawing: Drawing, precision: int | None = None) -> str:
     OptionError
         If coordinates cannot be written with that precision.
     """
-    gradients = GradientDefs(decimals_of(drawing, precision), box=drawing.box)
-    root = document(drawing.box, drawing.title)
+    gradients = GradientDefs(decimals_of(drawing, precision), box=drawing.box, in_page=in_page)
+    root = document(drawing.box, drawing.title, drawing.page)
     root.append(gradients.element)
     add_shapes(root, drawing.shapes, gradients, named([shape.name for shape in drawing.shapes]))
     if not len(gradients.element):

@@ -85,7 +85,7 @@ def smil_svg(
     decimals = max(decimals_of(drawing, precision) for drawing in ends)
     gradients = GradientDefs(decimals, box=first.box)
 
-    root = document(first.box, first.title)
+    root = document(first.box, first.title, first.page)
     sheet = ET.SubElement(root, "style")
     root.append(gradients.element)
     start = len(root)
