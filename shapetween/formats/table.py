@@ -134,7 +134,6 @@ def _writers() -> Iterator[Writer]:
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
-    home = "shapetween.formats.module.writer:module"
     keyed = (*_TIMING, "keyframes", "precision")
     lottie = "shapetween.formats.lottie.writer"
     yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed)
@@ -144,6 +143,7 @@ def _writers() -> Iterator[Writer]:
     home = "shapetween.formats.android:vector_drawable"
     once = (*_PACE, "keyframes", "precision")
     yield Writer(".xml", "an Android vector drawable", home, once)
+    home = "shapetween.formats.module.writer:module"
     yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
     home = "shapetween.formats.player.writer:html"
     yield Writer(".html", "a page", home, (*_TIMING, "precision", "start", "background"))

@@ -32,3 +32,22 @@ def test_what_cannot_be_written_is_refused_and_nothing_is(moved: st.Morph, tmp_p
     with pytest.raises(OptionError, match="speed: is no option"):
         moved.write(tmp_path / "out.gif", speed=3)
     assert not list(tmp_path.iterdir())
+
+
+#: What a file of an ending begins with.
+BEGINNINGS = {
+    ".svg": b"<svg ",
+    ".json": b'{"v":"5.7.0"',
+    ".lottie": b"PK",
+    ".css": b"/* ",
+    ".xml": b"<animated-vector ",
+    ".mjs": b"// Made with shapetween",
+    ".html": b"<!DOCTYPE html>",
+}
+
+
+@pytest.mark.parametrize("ending", BEGINNINGS)
+def test_every_ending_has_its_own_format(moved: st.Morph, tmp_path: Path, ending: str) -> None:
+    place = tmp_path / f"out{ending}"
+    moved.write(place)
+    assert place.read_bytes().startswith(BEGINNINGS[ending])

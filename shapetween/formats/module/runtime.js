@@ -179,6 +179,8 @@ export function play(target, options = {}) {
   const { duration, easing, loop, hold, part, timeline, ...others } = { ...timing, ...options };
   const root = element(target), count = legs.length, swing = loop == "alternate", step = duration + hold;
   const show = root.localName == "path" ? t => root.setAttribute("d", d(t, part)) : mount(root);
+  // What is taken out of the page is drawn no more.
+  const drawn = root.lastElementChild ?? root;
   // Rests before, between and after the movements; there and back, half of each turn is before.
   const before = swing ? hold / 2 : hold, after = swing ? hold / 2 : loop == "repeat" && !closed ? hold : 0;
   const whole = before + count * step - hold + after;
@@ -200,8 +202,8 @@ export function play(target, options = {}) {
       show((leg + eased.getComputedTiming().progress) / count);
     }
     last = now;
-    seen ||= root.isConnected;
-    if (root.isConnected || !seen) requestAnimationFrame(tick);
+    seen ||= drawn.isConnected;
+    if (drawn.isConnected || !seen) requestAnimationFrame(tick);
   };
   tick();
   if (!timeline && matchMedia("(prefers-reduced-motion:reduce)").matches) loop == "once" ? animation.finish() : animation.pause();
