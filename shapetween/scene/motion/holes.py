@@ -18,6 +18,13 @@ __all__ = ["hole_tracks"]
 #: and a hole crosses the region that another would have opened in.
 APART = 0.4
 
+#: What a factor e in size costs beside that distance. Without it, two holes that swap sizes go
+#: to what is a little nearer; much more, and a hole that grows in place becomes another one.
+SIZE = 0.15
+
+#: Greatest such distance of two holes that are the only round ones: an eye, wherever it is.
+EYES_APART = 0.8
+
 
 def hole_tracks(first: Item, second: Item, outer: Blend) -> tuple[Track, ...]:
     """Holes to the nearest ones, or closing where they are.
@@ -65,9 +72,26 @@ def _nearest(
     size = np.maximum(region.box[1] - region.box[0], 1e-12)
     there = mapped(np.array([hole.centre for hole in first]), forth)
     away = (there[:, None] - np.array([hole.centre for hole in second])) / size
-    cost = np.round(np.linalg.norm(away, axis=-1), 9)
+    apart = np.linalg.norm(away, axis=-1)
+    eyes = _only_round(first), _only_round(second)
+    growth = float(np.sqrt(abs(np.linalg.det(forth[:, :2]))))
+    sizes = [np.array([hole.size for hole in side]) for side in (first, second)]
+    change = np.abs(np.log(np.maximum(growth * sizes[0][:, None], 1e-12) / sizes[1]))
+    cost = np.round(apart + SIZE * change, 9)
+    reach = np.full(cost.shape, APART)
+    if eyes[0] is not None and eyes[1] is not None:
+        reach[eyes] = EYES_APART
+        cost[eyes] -= EYES_APART
     rows, columns = linear_sum_assignment(cost)
-    return [(int(i), int(j)) for i, j in zip(rows, columns, strict=True) if cost[i, j] < APART]
+    pairs = zip(rows.tolist(), columns.tolist(), strict=True)
+    return [(i, j) for i, j in pairs if apart[i, j] < reach[i, j]]
+
+
+def _only_round(holes: list[Item]) -> int | None:
+    """Which of some holes is the only round one."""
+    forms = [form_of(hole) for hole in holes]
+    found = [k for k, form in enumerate(forms) if isinstance(form, RoundedBox) and form.round]
+    return found[0] if len(found) == 1 else None
 
 
 def _matched(one: Item, other: Item) -> Pieces:
