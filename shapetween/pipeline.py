@@ -12,9 +12,10 @@ from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
-from shapetween.elastic.fill import FillSettings, morph_fill
-from shapetween.elastic.naming import is_given
-from shapetween.elastic.parts import FilledPart
+from shapetween.fill.morph import morph_fill
+from shapetween.fill.naming import is_given
+from shapetween.fill.parts import FilledPart
+from shapetween.fill.settings import FillSettings
 from shapetween.geometry.affine import mapped
 from shapetween.interpolate import check_method
 from shapetween.match.register import register

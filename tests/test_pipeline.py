@@ -8,9 +8,9 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.attach.passengers import Passenger
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.base.errors import OptionError, OutlineError
+from shapetween.fill.appearing import AppearingRegion
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
 from shapetween.model.drawing import Drawing, Shape
 from shapetween.model.outline import Outline
@@ -297,15 +297,15 @@ def test_a_hole_that_crosses_itself_while_it_closes_is_told(
     first = drawing(area(square(0, 0, 30), square(10, 10, 8).reversed()))
     second = drawing(area(square(0, 0, 30).transformed(np.array([[1, 0.2, 0], [0.4, 1, 0]]))))
     assert not any("ride" in w for w in prepare(first, second).warnings)
-    there = Passenger.curves
+    there = AppearingRegion.curves
 
-    def tied(self: Passenger, t: Floats, vertices: Points | None = None) -> Curves:
+    def tied(self: AppearingRegion, t: Floats, vertices: Points | None = None) -> Curves:
         curves = there(self, t, vertices)
         inner = ((t > 0) & (t < 1))[:, None, None, None]
         swapped = line_curves(curves[:, :, 0][:, [0, 2, 1, 3]], curves[:, :, 0][:, [2, 1, 3, 0]])
         return np.asarray(np.where(inner, swapped, curves))
 
-    monkeypatch.setattr(Passenger, "curves", tied)
+    monkeypatch.setattr(AppearingRegion, "curves", tied)
     told = "in the shape, attached parts cross themselves on the way"
     assert told in prepare(first, second).warnings
     assert told not in prepare(first, second, Options(folds="allow")).warnings

@@ -6,12 +6,12 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
-from shapetween.deform.mesh import AmbientMesh
+from shapetween.deform.deformation import VertexPath
 from shapetween.geometry.homography import triangle_affinities
 from shapetween.geometry.polygon import polygon_area
 from shapetween.interpolate import INTERIORS, tween
 from shapetween.interpolate.inside import Inside
-from shapetween.outline.body import Carried, VertexPath, joined_meshes
+from shapetween.outline.body import Carried, joined_meshes
 
 __all__ = ["Skeleton"]
 
@@ -43,8 +43,8 @@ class Skeleton:
     @classmethod
     def of(cls, body: Carried, method: str) -> "Skeleton":
         """The skeleton of a body that `method` moves, alone or by leading a plane."""
-        mesh = getattr(body.path, "mesh", None)
-        if isinstance(mesh, AmbientMesh):
+        mesh = body.path.mesh
+        if mesh is not None:
             triangles = mesh.triangles[mesh.inside & ~mesh.inverted]
             return cls(body.path, (triangles,), None, mesh.source)
         pair = joined_meshes(body.nodes.rings)

@@ -6,10 +6,11 @@ from dataclasses import dataclass, replace
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError, ShapetweenError
 from shapetween.compare.skeleton import Skeleton
-from shapetween.elastic.parts import FilledPart
+from shapetween.deform.deformation import Deformation
+from shapetween.fill.parts import FilledPart
 from shapetween.interpolate import METHODS
 from shapetween.model.movement import Movement, Part
-from shapetween.outline.body import Carried, RingMatch, VertexPath
+from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.unfold import bare
 from shapetween.pipeline import Folds, Prepared
 
@@ -97,11 +98,11 @@ def bare_variants(prepared: Prepared, methods: Sequence[str] = tuple(METHODS)) -
 class _Remembered:
     """A path that is asked for the same times again and again, and solved for them once."""
 
-    def __init__(self, path: VertexPath) -> None:
+    def __init__(self, path: Deformation) -> None:
         self._path = path
         self._found: dict[bytes, Points] = {}
-        #: What a passenger rides on and a skeleton is made of.
-        self.mesh = getattr(path, "mesh", None)
+        #: What regions bind to and a skeleton is made of.
+        self.mesh = path.mesh
 
     def vertices(self, t: Floats) -> Points:
         """All vertices at the times (F,), (F, V, 2)."""
@@ -112,14 +113,14 @@ class _Remembered:
 
 
 def _remembering(part: FilledPart) -> FilledPart:
-    """The same part, all of whose bodies and riders share what was solved."""
+    """The same part, all of whose bodies and attached share what was solved."""
     bodies = [replace(body, path=_Remembered(body.path)) for body in part.bodies]
     known = {id(old): new for old, new in zip(part.bodies, bodies, strict=True)}
-    passengers = tuple(
-        rider if rider.on is None else replace(rider, on=known[id(rider.on)])
-        for rider in part.passengers
+    appearing = tuple(
+        region if region.on is None else replace(region, on=known[id(region.on)])
+        for region in part.appearing
     )
-    return replace(part, bodies=tuple(bodies), passengers=passengers)
+    return replace(part, bodies=tuple(bodies), appearing=appearing)
 
 
 def _named(method: str, folds: Folds) -> Variant:
@@ -145,9 +146,9 @@ def _bare_variant(prepared: Prepared, method: str) -> Variant:
                 continue
             bodies = tuple(bare(rings, method) for rings in _grouped(part))
             skeletons += [Skeleton.of(body, method) for body in bodies]
-            # Without a plane around the shape there is nothing for passengers to ride on.
-            passengers = tuple(replace(rider, on=None) for rider in part.passengers)
-            parts.append(replace(part, bodies=bodies, passengers=passengers))
+            # Without an ambient mesh there is nothing to be bound to.
+            appearing = tuple(replace(region, on=None) for region in part.appearing)
+            parts.append(replace(part, bodies=bodies, appearing=appearing))
     except ShapetweenError as error:
         return replace(variant, failure=str(error))
     movement = replace(prepared.movement, parts=tuple(parts))

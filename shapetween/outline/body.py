@@ -4,14 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Protocol
 
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.deform.check import simple_frames
+from shapetween.deform.deformation import Deformation
 from shapetween.deform.layout import ring_edges
-from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.polygon import polygon_area
@@ -23,7 +22,7 @@ from shapetween.outline.detail import DetailedOutlines
 from shapetween.outline.matched import MatchedOutlines, Samples
 from shapetween.outline.seen import NOT_SEEN, Seen
 
-__all__ = ["Carried", "Nodes", "RingMatch", "VertexPath", "joined_meshes"]
+__all__ = ["Carried", "Nodes", "RingMatch", "joined_meshes"]
 
 #: Distance of a curve from the chords it is looked at with, as a share of the extent of all of
 #: them, and points of a frame past which chords become fewer. Larger and curves cross where their
@@ -98,13 +97,6 @@ def joined_meshes(rings: Sequence[RingMatch]) -> MeshPair:
         np.concatenate([p.quads + k for p, k in zip(pairs, first, strict=False)]),
         np.concatenate([p.triangles + k for p, k in zip(pairs, first, strict=False)]),
     )
-
-
-class VertexPath(Protocol):
-    """Where points that were prepared together are at any time."""
-
-    def vertices(self, t: Floats) -> Points:
-        """All of them at the times (F,), (F, V, 2)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +191,7 @@ class Carried:
     Attributes
     ----------
     nodes : Nodes
-    path : VertexPath
+    path : Deformation
         Its first vertices are the nodes.
     crossing : int
         At how many of the `checked` times the drawn curves cross.
@@ -221,7 +213,7 @@ class Carried:
     """
 
     nodes: Nodes
-    path: VertexPath
+    path: Deformation
     crossing: int
     checked: int
     repaired: bool
@@ -247,8 +239,8 @@ class Carried:
         Of a body without an ambient mesh, places along its outlines, and their lengths.
         """
         vertices = self.path.vertices(t)
-        mesh = getattr(self.path, "mesh", None)
-        if isinstance(mesh, AmbientMesh):
+        mesh = self.path.mesh
+        if mesh is not None:
             faces = mesh.triangles[mesh.inside]
             return vertices[:, faces].mean(axis=2), np.abs(polygon_area(mesh.source[faces]))
         edges = ring_edges([np.arange(part.start, part.stop) for part in self.nodes.parts])

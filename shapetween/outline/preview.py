@@ -15,12 +15,13 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index, Points
 from shapetween.base.errors import MeshError, OptionError, OutlineError
 from shapetween.deform.check import simple_frames
+from shapetween.deform.deformation import Deformation
 from shapetween.deform.mesh import ambient_mesh
 from shapetween.deform.motion import AmbientMotion
 from shapetween.deform.schedule import STIFFNESS_SCHEDULE
 from shapetween.match.matcher import Matcher
 from shapetween.model.arclength import ArcLength
-from shapetween.outline.body import Carried, Nodes, RingMatch, VertexPath
+from shapetween.outline.body import Carried, Nodes, RingMatch
 from shapetween.outline.matched import MatchedOutlines
 from shapetween.outline.nodes import outline_nodes
 from shapetween.outline.unfold import MOST_NODES, SPAN, TOLERANCES
@@ -164,7 +165,7 @@ def _chosen(ring: RingMatch) -> Index:
     )
 
 
-def _in_mesh(nodes: Nodes) -> VertexPath | None:
+def _in_mesh(nodes: Nodes) -> Deformation | None:
     """The nodes as an ambient mesh moves them, or None where there is none to be had quickly."""
     sizes = tuple(len(k) for k in nodes.chosen)
     if sum(sizes) > MOST_NODES or not simple_frames(np.stack(nodes.ends), sizes).all():
@@ -185,6 +186,10 @@ class _Straight:
     """Nodes that go straight."""
 
     ends: tuple[Points, Points]
+
+    @property
+    def mesh(self) -> None:
+        """Nothing else can be bound to it."""
 
     def vertices(self, t: Floats) -> Points:
         """All of them at the times (F,), (F, n, 2)."""

@@ -205,6 +205,10 @@ class _BarePath:
     angle: Floats
     stretch: Floats
 
+    @property
+    def mesh(self) -> None:
+        """Nothing else can be bound to it."""
+
     @classmethod
     def of(cls, nodes: Nodes, method: str) -> "_BarePath":
         first, outer, vertices, holes = 0, [], [], []

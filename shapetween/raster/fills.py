@@ -6,15 +6,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
+from shapetween.deform.deformation import VertexPath
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.elastic.parts import FilledPart
+from shapetween.fill.parts import FilledPart
 from shapetween.geometry.affine import inverted, mapped
 from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Part
 from shapetween.model.paint import Style
 from shapetween.model.retimed import RetimedPart
-from shapetween.outline.body import Carried, VertexPath
+from shapetween.outline.body import Carried
 from shapetween.raster.field import Field
 from shapetween.raster.light import Shares
 from shapetween.raster.picture import Picture

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index
-from shapetween.elastic.naming import is_given
+from shapetween.fill.naming import is_given
 from shapetween.scene.forms import Blob, Dot, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, in_common

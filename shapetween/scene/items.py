@@ -14,7 +14,7 @@ import numpy as np
 from shapetween.base.arrays import Affine, Floats, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.elastic.regions import Region, regions_of
+from shapetween.fill.regions import Region, regions_of
 from shapetween.geometry.bezier import end_tangents, evaluate
 from shapetween.model.blend import to_oklab
 from shapetween.model.drawing import Shape

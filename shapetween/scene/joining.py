@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Curves, Points
-from shapetween.elastic.naming import is_given
+from shapetween.fill.naming import is_given
 from shapetween.geometry.bezier import end_tangents
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item

@@ -10,10 +10,11 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
-from shapetween.elastic.fill import FillSettings, morph_fill
-from shapetween.elastic.parts import FilledPart
-from shapetween.elastic.regions import regions_of
-from shapetween.elastic.stroking import outlined
+from shapetween.fill.morph import morph_fill
+from shapetween.fill.parts import FilledPart
+from shapetween.fill.regions import regions_of
+from shapetween.fill.settings import FillSettings
+from shapetween.fill.stroking import outlined
 from shapetween.geometry.bezier import curve_lengths
 from shapetween.model.blend import blend
 from shapetween.model.drawing import Shape
@@ -211,8 +212,7 @@ def move_scene(
         a, b = cut.scenes
         settled, barred = _settled(a, b, given)
         settled += [pair for pair in cut.given if not barred[pair]]
-        if not settled:
-            settled = [pair for pair in paired_sets(a, b) if not barred[pair]]
+        settled = settled or [pair for pair in paired_sets(a, b) if not barred[pair]]
         roles = assign(a, b, settled, barred)
     said: list[Notice] = []
     with settings.observe("move"):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
-from shapetween.elastic.regions import Region
+from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.centrelines import CentreLine, centre_lines

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
-from shapetween.elastic.regions import Region
+from shapetween.fill.regions import Region
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Gradient, Stroke, Style
 from shapetween.scene.forms import RoundedBox, form_of

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from shapetween.api import Morph, Pin
-from shapetween.elastic.parts import FilledPart
+from shapetween.fill.parts import FilledPart
 from shapetween.geometry.affine import mapped
 from shapetween.outline.preview import Level, Previews
 from shapetween.pipeline import Prepared

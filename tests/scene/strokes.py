@@ -7,7 +7,7 @@ import numpy as np
 import shapely
 
 from shapetween.base.arrays import Curves, Points
-from shapetween.elastic.regions import Region
+from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.model.outline import Outline
 

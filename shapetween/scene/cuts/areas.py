@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from shapetween.base.arrays import Index
-from shapetween.elastic.regions import Region
-from shapetween.elastic.splitting import split_alike
+from shapetween.fill.regions import Region
+from shapetween.fill.splitting import split_alike
 from shapetween.model.paint import Gradient
 from shapetween.scene.cuts.division import Division, Found
 from shapetween.scene.items import Item

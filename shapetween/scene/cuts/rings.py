@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from shapetween.elastic.regions import Region
-from shapetween.elastic.splitting import split_alike
+from shapetween.fill.regions import Region
+from shapetween.fill.splitting import split_alike
 from shapetween.scene.cuts.areas import families
 from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.motion.choose import clockwise

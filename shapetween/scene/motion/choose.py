@@ -8,7 +8,8 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
 from shapetween.deform.check import crossing_frames
-from shapetween.elastic.fill import FillSettings, morph_fill
+from shapetween.fill.morph import morph_fill
+from shapetween.fill.settings import FillSettings
 from shapetween.geometry.bezier import sub_curves
 from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline

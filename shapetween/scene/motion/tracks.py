@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from shapetween.base.arrays import Affine, Curves, Floats, Points
-from shapetween.elastic.parts import FilledPart
+from shapetween.fill.parts import FilledPart
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.rotation import rotations
 from shapetween.outline.carry import Joints

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.attach.passengers import Passenger
-from shapetween.attach.riders import Rider
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.deform.check import crossing_frames
+from shapetween.fill.appearing import AppearingRegion
+from shapetween.fill.small import BlendedCurve
 from shapetween.model.blend import blend
 from shapetween.model.paint import Style
 from shapetween.model.whole import WholeMotion
@@ -25,8 +25,8 @@ class FilledPart:
     name : str
     styles : (Style, Style)
     bodies : tuple of Carried
-    passengers : tuple of Passenger
-    specks : tuple of Rider
+    appearing : tuple of AppearingRegion
+    small : tuple of BlendedCurve
         Pieces too small for meshes, as closed lines.
     motion : WholeMotion or None
         What gradients follow.
@@ -35,14 +35,14 @@ class FilledPart:
     name: str
     styles: tuple[Style, Style]
     bodies: tuple[Carried, ...]
-    passengers: tuple[Passenger, ...] = ()
-    specks: tuple[Rider, ...] = ()
+    appearing: tuple[AppearingRegion, ...] = ()
+    small: tuple[BlendedCurve, ...] = ()
     motion: WholeMotion | None = None
 
     @property
     def rings(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
-        return tuple(n for rider in self._riders for n in rider.counts)
+        return tuple(n for track in self._tracks for n in track.counts)
 
     @property
     def closed(self) -> tuple[bool, ...]:
@@ -54,27 +54,27 @@ class FilledPart:
         # Solving a plane's motion costs most: once for its body and all that ride on it.
         solved = {id(body): body.path.vertices(t) for body in self.bodies}
         drawn = [body.nodes.curves(solved[id(body)], t) for body in self.bodies]
-        return np.concatenate([*drawn, *self._ridden(t, solved)], axis=1)
+        return np.concatenate([*drawn, *self._attached(t, solved)], axis=1)
 
     def crossing(self, t: Floats) -> Mask:
-        """At which times (F,) a ring that rides on the bodies crosses itself."""
-        riders: tuple[Passenger | Rider, ...] = (*self.passengers, *self.specks)
-        counts = [n for rider in riders for n in rider.counts]
+        """At which times (F,) an attached ring crosses itself."""
+        attached: tuple[AppearingRegion | BlendedCurve, ...] = (*self.appearing, *self.small)
+        counts = [n for track in attached for n in track.counts]
         if not counts:
             return np.zeros(len(t), dtype=bool)
         solved = {id(body): body.path.vertices(t) for body in self.bodies}
-        drawn = np.concatenate(self._ridden(t, solved), axis=1)
+        drawn = np.concatenate(self._attached(t, solved), axis=1)
         return crossing_frames(drawn, counts, [True] * len(counts))
 
-    def _ridden(self, t: Floats, solved: dict[int, Points]) -> list[Curves]:
-        """Control points of what rides, with the bodies' vertices at the times."""
-        riding = [rider.curves(t, solved.get(id(rider.on))) for rider in self.passengers]
-        return riding + [speck.curves(t) for speck in self.specks]
+    def _attached(self, t: Floats, solved: dict[int, Points]) -> list[Curves]:
+        """Control points of what is attached, with the bodies' vertices at the times."""
+        drawn = [region.curves(t, solved.get(id(region.on))) for region in self.appearing]
+        return drawn + [curve.curves(t) for curve in self.small]
 
     def style(self, t: float) -> Style:
         """Paint at one time."""
         return blend(*self.styles, t, self.motion)
 
     @property
-    def _riders(self) -> tuple[Carried | Passenger | Rider, ...]:
-        return (*self.bodies, *self.passengers, *self.specks)
+    def _tracks(self) -> tuple[Carried | AppearingRegion | BlendedCurve, ...]:
+        return (*self.bodies, *self.appearing, *self.small)

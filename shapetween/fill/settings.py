@@ -8,7 +8,7 @@ import numpy as np
 from shapetween.base.arrays import Points
 from shapetween.base.errors import MeshError, OptionError
 from shapetween.base.observe import Observer
-from shapetween.elastic.regions import Region
+from shapetween.fill.regions import Region
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.arclength import ArcLength
 

@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from shapetween.attach.passengers import Deck, Passenger
-from shapetween.attach.specks import morph_speck
+from shapetween.base.ends import End
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Kind, Notice
-from shapetween.elastic.pairing import Thing, pair_things
-from shapetween.elastic.parts import FilledPart
-from shapetween.elastic.regions import Region, regions_of
-from shapetween.elastic.settings import FillSettings
-from shapetween.elastic.splitting import split_alike
+from shapetween.fill.appearing import AppearingRegion, Ground
+from shapetween.fill.pairing import Thing, pair_things
+from shapetween.fill.parts import FilledPart
+from shapetween.fill.regions import Region, regions_of
+from shapetween.fill.settings import FillSettings
+from shapetween.fill.small import blend_small
+from shapetween.fill.splitting import split_alike
 from shapetween.geometry.rotation import rotations
 from shapetween.match import Matcher
 from shapetween.model.drawing import Shape
@@ -23,7 +24,7 @@ from shapetween.outline.carry import affine_between
 from shapetween.outline.matching import CORNERS, match_hole, match_outer
 from shapetween.outline.unfold import bare, unfolded
 
-__all__ = ["FillSettings", "morph_fill"]
+__all__ = ["morph_fill"]
 
 #: Most pieces of a shape that move in one plane, kept apart from each other. More cost too much.
 MOST_TOGETHER = 12
@@ -66,8 +67,8 @@ def morph_fill(
     """
     name = first.name or second.name
     with settings.observe("regions"):
-        before, said_a = regions_of(first, _called(first, names[0]))
-        after, said_b = regions_of(second, _called(second, names[1]))
+        before, told_a = regions_of(first, _called(first, names[0]))
+        after, told_b = regions_of(second, _called(second, names[1]))
         boxes = np.array([region.outer.box for region in (*before, *after)])
         scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
         divided = None
@@ -75,15 +76,15 @@ def morph_fill(
             divided = _divided(before, after)
         if divided is not None:
             before, after = divided
-            settled = [(k, k) for k in range(len(before))]
+            fixed = [(k, k) for k in range(len(before))]
         else:
-            settled = [(0, 0)] if _is_main(before) and _is_main(after) else []
+            fixed = [(0, 0)] if _is_main(before) and _is_main(after) else []
         pairing = pair_things(
-            [_thing(r) for r in before], [_thing(r) for r in after], scale, fixed=settled
+            [_thing(r) for r in before], [_thing(r) for r in after], scale, fixed=fixed
         )
-    notices = [*said_a, *said_b]
+    notices = [*told_a, *told_b]
     bodies: list[list[RingMatch]] = []
-    strangers: list[tuple[Region, bool, int]] = []
+    unmatched: list[tuple[Region, End, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
     if len(pairing.pairs) > MOST_MESHED:
         more = len(small)
@@ -127,32 +128,32 @@ def morph_fill(
             notices += _of_facing(outer)
         holes, others = _matched_holes(before[i], after[j], outer, settings)
         notices += _of_limits(before[i], after[j], name)
-        strangers += [(Region(hole), arrives, len(bodies)) for hole, arrives in others]
+        unmatched += [(Region(hole), end, len(bodies)) for hole, end in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
         carried, holder = _moved(bodies, settings, touching=divided is not None)
-        decks = [Deck.of(body) for body in carried]
-        passengers = [
-            Passenger.of(region.outer, (), arrives, decks[holder[body]], is_hole=True)
-            for region, arrives, body in strangers
+        grounds = [Ground.of(body) for body in carried]
+        appearing = [
+            AppearingRegion.of(region.outer, (), end, grounds[holder[body]], is_hole=True)
+            for region, end, body in unmatched
         ]
-        specks = tuple(morph_speck(before[i].outer, after[j].outer) for i, j in small)
-        passengers += [
-            Passenger.of(hole, (), arrives, None, is_hole=True)
-            for side, k, arrives in _ends_of(small)
+        contours = tuple(blend_small(before[i].outer, after[j].outer) for i, j in small)
+        appearing += [
+            AppearingRegion.of(hole, (), end, None, is_hole=True)
+            for side, k, end in _ends_of(small)
             for hole in (before, after)[side][k].holes
         ]
-        for side, only, arrives in (
-            (before, pairing.first_only, False),
-            (after, pairing.second_only, True),
+        for side, only, end in (
+            (before, pairing.first_only, End.SOURCE),
+            (after, pairing.second_only, End.TARGET),
         ):
-            on = decks[0] if len(decks) == 1 else None
-            passengers += [Passenger.of(side[k].outer, side[k].holes, arrives, on) for k in only]
+            on = grounds[0] if len(grounds) == 1 else None
+            appearing += [AppearingRegion.of(side[k].outer, side[k].holes, end, on) for k in only]
     if settings.folds == "prevent":
         notices += [*_of_crossings(carried, name), *_of_fallbacks(carried, name)]
     styles = (first.style, second.style)
     motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
-    part = FilledPart(name, styles, tuple(carried), tuple(passengers), specks, motion)
+    part = FilledPart(name, styles, tuple(carried), tuple(appearing), contours, motion)
     return part, tuple(notices)
 
 
@@ -278,9 +279,9 @@ def _by_size(
     )
 
 
-def _ends_of(pairs: list[tuple[int, int]]) -> list[tuple[int, int, bool]]:
-    """Side, index and whether it arrives, of both members of each pair."""
-    return [(side, pair[side], bool(side)) for pair in pairs for side in (0, 1)]
+def _ends_of(pairs: list[tuple[int, int]]) -> list[tuple[int, int, End]]:
+    """Side, index and end of both members of each pair."""
+    return [(side, pair[side], End(side)) for pair in pairs for side in (0, 1)]
 
 
 def _called(shape: Shape, file: str) -> str:
@@ -293,7 +294,7 @@ def _thing(region: Region) -> Thing:
 
 def _matched_holes(
     first: Region, second: Region, outer: RingMatch, settings: FillSettings
-) -> tuple[list[RingMatch], list[tuple[Outline, bool]]]:
+) -> tuple[list[RingMatch], list[tuple[Outline, End]]]:
     """Holes matched where the outer rings' own movement puts them, and those left over."""
     angle, stretch = affine_between(outer.samples.source, outer.samples.target)
     linear = rotations(np.asarray(angle)) @ stretch
@@ -301,9 +302,9 @@ def _matched_holes(
     size = float(np.linalg.norm(np.ptp(second.outer.box, axis=0)))
     before = [_thing(Region(hole)) for hole in first.holes]
     grown = float(np.sqrt(np.linalg.det(linear)))
-    put = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
+    mapped = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
     after = [_thing(Region(hole)) for hole in second.holes]
-    pairing = pair_things(put, after, size)
+    pairing = pair_things(mapped, after, size)
     sizes = [-max(before[i].size, after[j].size) for i, j in pairing.pairs]
     order = np.argsort(sizes, kind="stable").tolist()
     chosen = sorted(pairing.pairs[k] for k in order[:MOST_HOLES])
@@ -314,10 +315,10 @@ def _matched_holes(
                 match_hole(first.holes[i], second.holes[j], float(angle), settings.observe)
             )
         except OutlineError:
-            alone += [(first.holes[i], False), (second.holes[j], True)]
+            alone += [(first.holes[i], End.SOURCE), (second.holes[j], End.TARGET)]
     for side, holes in enumerate((first.holes, second.holes)):
         known = {pair[side] for pair in chosen}
-        alone += [(hole, bool(side)) for k, hole in enumerate(holes) if k not in known]
+        alone += [(hole, End(side)) for k, hole in enumerate(holes) if k not in known]
     return matched, alone
 
 

@@ -1,90 +1,91 @@
-"""Rings without a partner: they open from a point, or close to one, riding on the plane."""
+"""Rings without a partner: they open from a point, or close to one, drawn on the plane."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.attach.planes import Finders, Spots
 from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.deform.mesh import AmbientMesh
+from shapetween.base.ends import End
+from shapetween.deform.locate import BoundPoints, MeshBinder
 from shapetween.geometry.bezier import flatten
 from shapetween.model.outline import Outline
 from shapetween.outline.body import Carried
 
-__all__ = ["Deck", "Passenger"]
+__all__ = ["AppearingRegion", "Ground"]
 
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Deck:
-    """A body whose moving plane can be ridden on.
+class Ground:
+    """A body whose ambient mesh other regions can be bound to.
 
     Attributes
     ----------
-    body : Carried
-    finders : Finders
-        Made once for all that ride on it.
+    body : OutlineMotion
+    binder : MeshBinder
+        Made once for all that are bound.
     """
 
     body: Carried
-    finders: Finders
+    binder: MeshBinder
 
     @classmethod
-    def of(cls, body: Carried) -> "Deck | None":
-        """The plane around a body; None if it moves without one."""
-        mesh = getattr(body.path, "mesh", None)
-        return cls(body, Finders(mesh)) if isinstance(mesh, AmbientMesh) else None
+    def of(cls, body: Carried) -> "Ground | None":
+        """The mesh around a body; None if it moves without one."""
+        mesh = body.path.mesh
+        return None if mesh is None else cls(body, MeshBinder(mesh))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Passenger:
+class AppearingRegion:
     """Rings that are whole at one end of the movement and a point at the other.
 
     Attributes
     ----------
-    curves_at_home : (P, 4, 2) float64
+    whole : (P, 4, 2) float64
         All their curves where they are whole.
     counts : tuple of int
         Number of curves in each ring.
-    arrives : bool
-        Whether they are whole at the end; else at the start.
+    end : End
+        Where they are whole.
     centre : (2,) float64
         The point.
     on : Carried or None
-        The body whose moving plane they ride on; None to stay in place.
-    spots : Spots or None
-        Where their control points and the centre lie in that plane.
+        The body whose mesh they are bound to; None to stay in place.
+    bound : BoundPoints or None
+        Where their control points and the centre lie in that mesh.
     """
 
-    curves_at_home: Curves
+    whole: Curves
     counts: tuple[int, ...]
-    arrives: bool
+    end: End
     centre: Points
     on: Carried | None = None
-    spots: Spots | None = None
+    bound: BoundPoints | None = None
 
     @classmethod
     def of(
         cls,
         outer: Outline,
         holes: tuple[Outline, ...],
-        arrives: bool,
-        on: Deck | None,
+        end: End,
+        on: Ground | None,
         *,
         is_hole: bool = False,
-    ) -> "Passenger":
-        """Take rings aboard.
+    ) -> "AppearingRegion":
+        """Prepare rings.
 
         Parameters
         ----------
         outer : Outline
             Clockwise as drawn, as are the holes.
         holes : tuple of Outline
-        arrives : bool
-        on : Deck or None
-            What they ride on, if they lie on it.
+        end : End
+            Where they are whole.
+        on : Ground or None
+            What they are bound to, if they lie on it.
         is_hole : bool
             Whether the ring is itself a hole, and is drawn the other way round.
         """
@@ -102,11 +103,11 @@ class Passenger:
         if not polygon.is_empty:
             circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
             centre = np.array(circle.coords[0])
-        still = cls(curves, tuple(len(r.curves) for r in rings), arrives, centre)
+        still = cls(curves, tuple(len(r.curves) for r in rings), end, centre)
         if on is None:
             return still
-        spots = on.finders.spots(np.concatenate([curves.reshape(-1, 2), [centre]]), arrives)
-        return still if spots.beyond.any() else replace(still, on=on.body, spots=spots)
+        bound = on.binder.bind(np.concatenate([curves.reshape(-1, 2), [centre]]), end)
+        return still if bound.beyond.any() else replace(still, on=on.body, bound=bound)
 
     def curves(self, t: Floats, vertices: Points | None = None) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2).
@@ -115,16 +116,16 @@ class Passenger:
         ----------
         t : (F,) float64
         vertices : (F, V, 2) float64, optional
-            Where the plane that it rides on is at these times, if that is known already.
+            Where the vertices of that mesh are at these times, if that is known already.
         """
-        points = np.concatenate([self.curves_at_home.reshape(-1, 2), self.centre[None]])
-        if self.on is None or self.spots is None:
+        points = np.concatenate([self.whole.reshape(-1, 2), self.centre[None]])
+        if self.on is None or self.bound is None:
             moved = np.repeat(points[None], len(t), axis=0)
         else:
-            moved = self.spots.at(self.on.path.vertices(t) if vertices is None else vertices)
+            moved = self.bound.at(self.on.path.vertices(t) if vertices is None else vertices)
         centre = moved[:, -1:]
-        size = t if self.arrives else 1 - t
+        size = t if self.end is End.TARGET else 1 - t
         shrunk = centre + size[:, None, None] * (moved[:, :-1] - centre)
-        result = shrunk.reshape(len(t), *self.curves_at_home.shape)
-        result[size == 1] = self.curves_at_home
+        result = shrunk.reshape(len(t), *self.whole.shape)
+        result[size == 1] = self.whole
         return np.asarray(result)

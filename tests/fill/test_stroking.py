@@ -6,8 +6,8 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from shapetween.elastic.regions import regions_of
-from shapetween.elastic.stroking import outlined
+from shapetween.fill.regions import regions_of
+from shapetween.fill.stroking import outlined
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke, Style

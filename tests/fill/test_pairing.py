@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.elastic.pairing import Pairing, Thing, pair_shapes, pair_things
+from shapetween.fill.pairing import Pairing, Thing, pair_shapes, pair_things
 from shapetween.model.drawing import Shape
 from shapetween.model.paint import Colour, Gradient, Stop
 from tests.drawings import area, line, square

@@ -8,8 +8,9 @@ import pytest
 from shapetween.base.errors import MeshError
 from shapetween.base.notices import Notice
 from shapetween.base.observe import unobserved
-from shapetween.elastic import fill
-from shapetween.elastic.fill import FillSettings, morph_fill
+from shapetween.fill import morph
+from shapetween.fill.morph import morph_fill
+from shapetween.fill.settings import FillSettings
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
@@ -53,7 +54,7 @@ def test_a_bare_mesh_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_more_holes_than_are_matched_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(fill, "MOST_HOLES", 1)
+    monkeypatch.setattr(morph, "MOST_HOLES", 1)
     holes = [square(20 + 30 * k, 40, 15).reversed() for k in range(2)]
     moved = [square(22 + 30 * k, 44, 15).reversed() for k in range(2)]
     prepared = prepare(
@@ -65,7 +66,7 @@ def test_more_holes_than_are_matched_are_told(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_more_pieces_than_get_meshes_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(fill, "MOST_MESHED", 1)
+    monkeypatch.setattr(morph, "MOST_MESHED", 1)
     first = drawing(square(0, 0, 20), square(50, 50, 30))
     second = drawing(square(0, 5, 20), square(50, 45, 30))
     settings = FillSettings("projective", "prevent", None, np.zeros((0, 4)), [], unobserved)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from shapetween.elastic.regions import Region
-from shapetween.elastic.splitting import split_alike
+from shapetween.fill.regions import Region
+from shapetween.fill.splitting import split_alike
 from shapetween.model.drawing import Drawing
 from shapetween.model.outline import Outline
 from shapetween.pipeline import prepare

@@ -15,7 +15,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Points
 from shapetween.boolean.chords import chords_of, joined
 from shapetween.boolean.trace import traced
-from shapetween.elastic.regions import Region
+from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.outline import Outline
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from shapetween.elastic.naming import is_given
+from shapetween.fill.naming import is_given
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Points
 from shapetween.base.errors import OutlineError
-from shapetween.elastic.regions import Region, regions_of
+from shapetween.fill.regions import Region, regions_of
 from shapetween.geometry.bezier import flatten, line_curves
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline

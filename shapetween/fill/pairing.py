@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Floats, Mask, Points
-from shapetween.elastic.naming import is_given
+from shapetween.fill.naming import is_given
 from shapetween.model.drawing import Shape
 from shapetween.model.paint import Colour, Gradient, Paint
 
@@ -27,7 +27,7 @@ OVERLAP = 0.8
 #: thing is wide or high: a line's own width.
 ASPECT, SLIM = 0.12, 0.1
 
-#: Share of the drawing that a move is counted against beside the own size: how far a speck may go.
+#: Share of the drawing that a move is counted against beside the own size: how far a curve may go.
 REACH = 0.15
 
 #: What leaving a thing without a partner costs, and what a pair as large as the drawing saves
