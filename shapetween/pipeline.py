@@ -1,6 +1,7 @@
 """From two drawings to the movement between them, one stage after another."""
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, get_args
 
@@ -203,13 +204,27 @@ def _moved(
     """All parts: a single area that becomes another by the outline engine, else a scene's."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
-    one, other = as_lines(joined_lines(one), joined_lines(other))
+    one, other = joined_lines(one), joined_lines(other)
+    if not _two_outlines(one, other):
+        one, other = as_lines(one, other)
     if len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
         return (part,), told, None
     scene = move_scene(one, other, boxes, settled, settings, names)
     return scene.parts, (*said, *more, *scene.notices), scene
+
+
+def _two_outlines(one: Sequence[Item], other: Sequence[Item]) -> bool:
+    """Whether one area becomes one other, and neither is a mere bar.
+
+    They do so as areas, whatever strokes they are made of: as lines an E becomes a K by an arm
+    that shrinks and one that comes up elsewhere, and a 2 folds flat on its way to a 5.
+    """
+    if not len(one) == len(other) == 1:
+        return False
+    items = one[0], other[0]
+    return all(item.filled and not isinstance(form_of(item), RoundedBox) for item in items)
 
 
 def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
