@@ -110,5 +110,6 @@ def test_options_exist(
 
 
 def test_files_that_are_shown_exist() -> None:
-    for path in re.findall(r'(?:src="|\]\()([^"):]+\.\w+)', README):
+    text = re.sub(r"^```.*?^```", "", README, flags=re.MULTILINE | re.DOTALL)
+    for path in re.findall(r'(?:src="|\]\()([^"):]+\.\w+)', text):
         assert (ROOT / path).is_file(), path
