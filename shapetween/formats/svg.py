@@ -12,6 +12,9 @@ from shapetween.timing.easing import easing_function, even_times
 
 __all__ = ["animated", "frames"]
 
+#: What there is to say of drawings that wait for a click or a pointer.
+IN_IMG = "an <img> passes no clicks or pointers on to an SVG; put it into the page, or <object>"
+
 
 def animated(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """All of it as the text of one animated SVG."""
@@ -25,8 +28,10 @@ def animated(segments: Segments, options: WriteOptions, observe: Observer = unob
         closed=segments.closed,
         keyframes=options.keyframes,
         precision=options.precision,
+        start=options.start,
     )
-    return Written(text)
+    deaf = () if options.start == "load" else (IN_IMG,)
+    return Written(text, deaf)
 
 
 def frames(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:

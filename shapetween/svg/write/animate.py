@@ -35,8 +35,7 @@ def animate(
         M of them; nothing is written if they are all the same.
     """
     if len(set(values)) > 1:
-        timing = clock.straight(picks, values)
-        ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
+        _add(element, attribute, clock.straight(picks, values))
 
 
 def animate_transform(
@@ -52,16 +51,10 @@ def animate_transform(
     As `animate` does it; but it is always written, because a step replaces the attribute unless
     an earlier one has.
     """
-    ET.SubElement(
-        element,
-        "animateTransform",
-        {
-            "attributeName": attribute,
-            "type": kind,
-            **({"additive": "sum"} if element.find("animateTransform") is not None else {}),
-            **clock.straight(picks, values),
-        },
-    )
+    added = {"additive": "sum"} if element.find("animateTransform") is not None else {}
+    for timing in clock.straight(picks, values):
+        attributes = {"attributeName": attribute, "type": kind, **added, **timing}
+        ET.SubElement(element, "animateTransform", attributes)
 
 
 def animate_number(
@@ -85,11 +78,15 @@ def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Seq
     changes = [k for k in range(1, len(track)) if track[k] != track[k - 1]]
     if not changes:
         return
-    timing = clock.jumping(clock.schedule.clock[changes], [track[k] for k in [0, *changes]])
-    ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
+    jumps, values = clock.schedule.clock[changes], [track[k] for k in [0, *changes]]
+    _add(element, attribute, clock.jumping(jumps, values))
 
 
 def animate_shown(element: ET.Element, clock: Clock) -> None:
     """Show an element while the leg of the clock is to be seen, and no longer."""
-    timing = clock.showing("inline", "none")
-    ET.SubElement(element, "animate", {"attributeName": "display", **timing})
+    _add(element, "display", clock.showing("inline", "none"))
+
+
+def _add(element: ET.Element, attribute: str, timings: Sequence[dict[str, str]]) -> None:
+    for timing in timings:
+        ET.SubElement(element, "animate", {"attributeName": attribute, **timing})

@@ -6,7 +6,7 @@ the way back included, for only then does all of it stay in step.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -19,7 +19,7 @@ from shapetween.timing.keyframes import keyframes
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Passage, Timeline
 
-__all__ = ["Clock"]
+__all__ = ["Clock", "Trigger"]
 
 #: Decimals of a keyframe's time, a share of one way: finer than a frame of any screen.
 TIME_DECIMALS = 5
@@ -32,6 +32,14 @@ SECOND_DECIMALS = 3
 
 #: Handles of one straight interval.
 _STRAIGHT = np.array([LINEAR])
+
+
+@dataclass(frozen=True, slots=True)
+class Trigger:
+    """Events that set the whole going, and back again, or end what is played for ever."""
+
+    there: str
+    back: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,12 +56,15 @@ class Clock:
         The plan of the whole.
     leg : int
         Which of its movements this is.
+    trigger : Trigger, optional
+        What sets it going, if not the start of the document.
     """
 
     schedule: Schedule
     adaptive: bool
     timeline: Timeline
     leg: int = 0
+    trigger: Trigger | None = None
 
     def needs(self, samples: Floats, tolerance: float, most: int) -> bool:
         """Whether more than so many keyframes are needed for the samples (S, K, D)."""
@@ -88,8 +99,11 @@ class Clock:
         picks = self.pick(samples, tolerance)
         return self.schedule.clock[picks], samples[picks], self._eased(picks)
 
-    def straight(self, picks: Index, values: Sequence[str]) -> dict[str, str]:
-        """Attributes that show each value at its sample, way back included, and blend between."""
+    def straight(self, picks: Index, values: Sequence[str]) -> list[dict[str, str]]:
+        """Attributes that show each value at its sample, way back included, and blend between.
+
+        One set of them for each animation that is needed: one, or one for either way.
+        """
         return self.running(self.schedule.clock[picks], values, self._eased(picks))
 
     def _eased(self, picks: Index) -> Floats | None:
@@ -98,7 +112,7 @@ class Clock:
 
     def eased(
         self, handles: tuple[float, float, float, float], rest: str, value: str
-    ) -> dict[str, str]:
+    ) -> list[dict[str, str]]:
         """Attributes that run from one value to another along an easing of their own."""
         clock = np.array([0.0, 1.0])
         return self.running(clock, (rest, value), np.array([handles]))
@@ -107,51 +121,62 @@ class Clock:
     def is_one_way(self) -> bool:
         """Whether the whole is one way through this leg, and no rest is said."""
         if self.timeline.loop == "once":
-            return True
+            return self.trigger is None
         (first, *others) = self._passages
         return not others and (first.start, first.end) == (0.0, self.timeline.seconds)
 
-    def jumping(self, jumps: Floats, values: Sequence[str]) -> dict[str, str]:
+    def jumping(self, jumps: Floats, values: Sequence[str]) -> list[dict[str, str]]:
         """Attributes that show the first value, and from each of some times on the next."""
-        times, shown = [0.0], [values[0]]
-        for passage in self._passages:
-            times += passage.at(jumps).tolist()
-            shown += values[-2::-1] if passage.back else values[1:]
-        return {"calcMode": "discrete", **self._whole(times, shown)}
+        found = []
+        for way in self._ways:
+            times, shown = [way.since], [values[-1] if way.passages[0].back else values[0]]
+            for passage in way.passages:
+                times += passage.at(jumps).tolist()
+                shown += values[-2::-1] if passage.back else values[1:]
+            found.append({"calcMode": "discrete", **self._whole(way, times, shown)})
+        return found
 
-    def showing(self, on: str, off: str) -> dict[str, str]:
+    def showing(self, on: str, off: str) -> list[dict[str, str]]:
         """Attributes that have one value while the leg is to be seen, and else another."""
-        edges = [edge for p in self._passages for edge in (p.shown, p.until)]
-        # Where one passage follows on another, and at both ends of the whole, nothing changes.
-        whole = self.timeline.seconds
-        times = [edge for edge in edges if edges.count(edge) == 1 and 0 < edge < whole]
-        values = (off, on) if edges[0] > 0 else (on, off)
-        shown = [values[k % 2] for k in range(len(times) + 1)]
-        return {"calcMode": "discrete", **self._whole([0.0, *times], shown)}
+        found = []
+        for way in self._ways:
+            edges = [edge for p in way.passages for edge in (p.shown, p.until)]
+            # Where one passage follows on another, and at both ends of the whole, nothing changes.
+            end = way.since + way.length
+            times = [edge for edge in edges if edges.count(edge) == 1 and way.since < edge < end]
+            values = (off, on) if edges[0] > way.since else (on, off)
+            shown = [values[k % 2] for k in range(len(times) + 1)]
+            timing = self._whole(way, [way.since, *times], shown)
+            found.append({"calcMode": "discrete", **timing})
+        return found
 
     @property
     def _passages(self) -> tuple[Passage, ...]:
         return self.timeline.passages(self.leg)
 
+    @property
+    def _ways(self) -> "list[_Way]":
+        """What is set going by itself: the whole, or what is played once there, and then back."""
+        if self.trigger is None or self.timeline.loop != "once":
+            begin = "" if self.trigger is None else self.trigger.there
+            return [_Way(begin, 0.0, self.timeline.seconds, self._passages)]
+        both = replace(self.timeline, loop="alternate")
+        there, back = both.passages(self.leg)
+        half = both.seconds / 2
+        return [
+            _Way(self.trigger.there, 0.0, half, (there,)),
+            _Way(self.trigger.back, half, half, (back,)),
+        ]
+
     def running(
         self, clock: Floats, values: Sequence[str], easing: Floats | None
-    ) -> dict[str, str]:
+    ) -> list[dict[str, str]]:
         """Attributes that show values (M,) at moments (M,) of the way, eased (M - 1, 4) between."""
-        if self.timeline.loop == "once":
-            (passage,) = self._passages
-            length = passage.end - passage.start
-            begin = {"begin": _seconds(passage.start)} if passage.start > 0 else {}
-            kept = {} if len(clock) == 2 and easing is None else {"keyTimes": self._times(clock)}
-            return {
-                **_easing(easing),
-                **begin,
-                "dur": _seconds(length),
-                "fill": "freeze",
-                **kept,
-                "values": ";".join(values),
-            }
-        times, shown, splines = [0.0], [values[0]], [np.zeros((0, 4))]
         step = np.repeat(_STRAIGHT, len(clock) - 1, axis=0) if easing is None else easing
+        if self.timeline.loop == "once":
+            return [self._once(way, clock, values, step) for way in self._ways]
+        (whole,) = self._ways
+        times, shown, splines = [0.0], [values[0]], [np.zeros((0, 4))]
 
         def rest(until: float) -> None:
             if until > times[-1]:
@@ -159,25 +184,45 @@ class Clock:
                 shown.append(shown[-1])
                 splines.append(_STRAIGHT)
 
-        for passage in self._passages:
+        for passage in whole.passages:
             rest(passage.start)
             times += passage.at(clock)[1:].tolist()
             shown += values[-2::-1] if passage.back else values[1:]
-            # Backwards a curve starts at its end, and both axes run the other way.
-            splines.append(1 - step[::-1, [2, 3, 0, 1]] if passage.back else step)
-        rest(self.timeline.seconds)
-        eased = None if easing is None else np.concatenate(splines)
-        return {**_easing(eased), **self._whole(times, shown)}
+            splines.append(_backwards(step) if passage.back else step)
+        rest(whole.length)
+        return [{**_easing(np.concatenate(splines)), **self._whole(whole, times, shown)}]
 
-    def _whole(self, seconds: Sequence[float], values: Sequence[str]) -> dict[str, str]:
-        """Attributes that show values at some seconds of the whole."""
-        whole = self.timeline.seconds
-        once = self.timeline.loop == "once"
-        times = np.array(seconds) / whole
+    def _once(
+        self, way: "_Way", clock: Floats, values: Sequence[str], easing: Floats
+    ) -> dict[str, str]:
+        """Attributes of what sets off in its turn, and stays where it arrives."""
+        (passage,) = way.passages
+        begin = _begin(way.begin, passage.start - way.since)
+        if passage.back:
+            clock, values, easing = 1 - clock[::-1], values[::-1], _backwards(easing)
+        eased = _easing(easing)
+        kept = {} if len(clock) == 2 and not eased else {"keyTimes": self._times(clock)}
         return {
-            "dur": _seconds(whole),
-            **({"fill": "freeze"} if once else {"repeatCount": "indefinite"}),
-            "keyTimes": self._times(times, whole),
+            **eased,
+            **({"begin": begin} if begin else {}),
+            "dur": _seconds(passage.end - passage.start),
+            "fill": "freeze",
+            **kept,
+            "values": ";".join(values),
+        }
+
+    def _whole(
+        self, way: "_Way", seconds: Sequence[float], values: Sequence[str]
+    ) -> dict[str, str]:
+        """Attributes that show values at some seconds of the whole."""
+        for_ever = {"repeatCount": "indefinite"}
+        if self.trigger is not None:
+            for_ever["end"] = self.trigger.back
+        return {
+            **({"begin": way.begin} if way.begin else {}),
+            "dur": _seconds(way.length),
+            **({"fill": "freeze"} if self.timeline.loop == "once" else for_ever),
+            "keyTimes": self._times((np.array(seconds) - way.since) / way.length, way.length),
             "values": ";".join(values),
         }
 
@@ -188,9 +233,41 @@ class Clock:
         return ";".join(number(share, decimals) for share in shares.tolist())
 
 
-def _easing(rows: Floats | None) -> dict[str, str]:
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """What one event, or the start of the document, sets going.
+
+    Attributes
+    ----------
+    begin : str
+        The event, empty for the start of the document.
+    since, length : float
+        The second of the timeline that it starts at, and how many it takes.
+    passages : tuple of Passage
+        Of the leg, meanwhile.
+    """
+
+    begin: str
+    since: float
+    length: float
+    passages: tuple[Passage, ...]
+
+
+def _backwards(easing: Floats) -> Floats:
+    """Easings (M, 4) seen from the end: a curve starts there, and both axes run the other way."""
+    return np.asarray(1 - easing[::-1, [2, 3, 0, 1]])
+
+
+def _begin(event: str, offset: float) -> str:
+    """When an animation sets off, some seconds after an event; empty if at once, without one."""
+    if offset <= 0:
+        return event
+    return f"{event}+{_seconds(offset)}" if event else _seconds(offset)
+
+
+def _easing(rows: Floats) -> dict[str, str]:
     """Attributes for the easing of every interval, (M, 4); blending evenly needs none."""
-    if rows is None or (rows == _STRAIGHT).all():
+    if (rows == _STRAIGHT).all():
         return {}
     texts = [" ".join(number(v, SPLINE_DECIMALS) for v in row) for row in rows.tolist()]
     return {"calcMode": "spline", "keySplines": ";".join(texts)}

@@ -69,7 +69,7 @@ def text_of(root: ET.Element) -> str:
     text = ET.tostring(root, encoding="unicode") + "\n"
     prefix = f"g{zlib.crc32(text.encode()):08x}"
     while f'"{prefix}' in text:
-        prefix += "-"
+        prefix += "x"
     return text.replace(_PREFIX, prefix)
 
 
@@ -128,6 +128,10 @@ class GradientDefs:
         """An empty definition, and what attributes say to use it."""
         name = f"{_PREFIX}-{len(self.element)}"
         return ET.SubElement(self.element, tag, {"id": name, **attributes}), f"url(#{name})"
+
+    def name_of(self, part: str) -> str:
+        """An id of the document's own."""
+        return f"{_PREFIX}{part}"  # a hyphen would be minus where times are said
 
     def around(self) -> dict[str, str]:
         """A rectangle around all that is shown, and as much on every side."""

@@ -79,7 +79,8 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     texts = form.texts(on_grid(values, decimals), decimals)
     if len(set(texts)) == 1:
         return ShapeMotion(rest, ())
-    return ShapeMotion(rest, ({"attributeName": "d", **clock.running(moments, texts, easing)},))
+    running = clock.running(moments, texts, easing)
+    return ShapeMotion(rest, tuple({"attributeName": "d", **timing} for timing in running))
 
 
 def _summed(
@@ -89,15 +90,16 @@ def _summed(
     rest, *_ = form.texts(first, decimals)
     start, *added = form.texts(np.concatenate([first + found.terms[:1], found.terms[1:]]), decimals)
     head, *tail = found.handles
-    animations = [{"attributeName": "d", **clock.eased(head, rest, start)}]
+    # All of one way together: what sets off with the first, which replaces, adds to it.
+    ways = [[{"attributeName": "d", **timing}] for timing in clock.eased(head, rest, start)]
     zero = form.zero()
     for handles, text in zip(tail, added, strict=True):
-        timing = clock.eased(handles, zero, text)
-        if clock.is_one_way:
-            del timing["values"]
-            timing["by"] = text
-        animations.append({"attributeName": "d", "additive": "sum", **timing})
-    return tuple(animations)
+        for way, timing in zip(ways, clock.eased(handles, zero, text), strict=True):
+            if clock.is_one_way:
+                del timing["values"]
+                timing["by"] = text
+            way.append({"attributeName": "d", "additive": "sum", **timing})
+    return tuple(attributes for way in ways for attributes in way)
 
 
 def _keyframes(

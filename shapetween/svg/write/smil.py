@@ -22,6 +22,7 @@ from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import GradientDefs, document, named, text_of
 from shapetween.svg.write.numbers import decimals_of
 from shapetween.svg.write.shape import shape_motion
+from shapetween.svg.write.triggers import add_triggers, trigger_of
 from shapetween.svg.write.twins import MOVING, REDUCED_MOTION, add_twins, runs_of_moving
 from shapetween.timing import defaults
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
@@ -47,6 +48,7 @@ def smil_svg(
     closed: bool = False,
     keyframes: Literal["auto"] | int = "auto",
     precision: int | None = None,
+    start: str = "load",
 ) -> str:
     """Write a movement as an animated SVG, or several that follow each other.
 
@@ -73,6 +75,9 @@ def smil_svg(
         Decimals of coordinates; by default about 1/10000 of the larger side of the view
         box, or of what is drawn where that is smaller.
 
+    start : {"load", "click", "hover"}
+        What sets it going. Once, the next click, or leaving it, brings it back; for ever, ends it.
+
     Raises
     ------
     OptionError
@@ -85,10 +90,11 @@ def smil_svg(
     decimals = max(decimals_of(drawing, precision) for drawing in ends)
     gradients = GradientDefs(decimals, box=first.box)
 
+    clock = replace(clock, trigger=trigger_of(start, gradients))
     root = document(first.box, first.title, first.page)
     sheet = ET.SubElement(root, "style")
     root.append(gradients.element)
-    start = len(root)
+    drawn = len(root)
     moving = root if len(legs) == 1 else ET.SubElement(root, "g", MOVING)
     ids = iter(named([part.name for leg in legs for part in leg.parts]))
     paths: list[ET.Element] = []
@@ -97,9 +103,10 @@ def smil_svg(
         names = [next(ids) for _ in leg.parts]
         both = ends[2 * k].shapes, ends[2 * k + 1].shapes
         paths += _add_movement(group, leg, names, both, replace(clock, leg=k), gradients)
-    for run in runs_of_moving(root, start, gradients) if len(legs) == 1 else [moving]:
+    for run in runs_of_moving(root, drawn, gradients) if len(legs) == 1 else [moving]:
         add_twins(root, run, zip(paths, ends[0].shapes, strict=False), gradients)
         sheet.text = REDUCED_MOTION
+    add_triggers(root, first.box, clock)
     sheet.text = (sheet.text or "") + gradients.style_sheet
     if not sheet.text:
         root.remove(sheet)
