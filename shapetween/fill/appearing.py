@@ -1,4 +1,4 @@
-"""Rings without a partner: they open from a point, or close to one, drawn on the plane."""
+"""Regions without counterpart: they open from a point, or close to one, and move along."""
 
 from dataclasses import dataclass, replace
 

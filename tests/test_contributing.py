@@ -1,0 +1,45 @@
+"""The page for contributors names places that exist."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = (ROOT / "gallery/contributing.md").read_text("utf-8")
+
+#: What a newcomer looks for, and a word that the module it is in has to hold.
+QUESTIONS = {
+    "CSS keyframes output": "@keyframes",
+    "arcs to cubics": "arc",
+    "the cost of matching": "cost",
+    "the default easing": "EASING",
+    "a hole without partner": "without counterpart",
+    "a new interpolation method": "METHODS",
+    "`mask`": "mask",
+    "how many keyframes": "keyframes",
+    "the untangling solve": "untangle",
+    "a new measure in `compare`": "Figures",
+    "`<text>`": "text",
+    "which shape pairs with which": "Roles",
+}
+
+
+def test_every_path_on_the_page_exists() -> None:
+    paths = {p for p in re.findall(r"`([\w/.]+)`", PAGE) if "/" in p or p.endswith(".py")}
+    assert len(paths) > 20
+    missing = [p for p in paths if not ((ROOT / p).exists() or (ROOT / "shapetween" / p).exists())]
+    assert not missing
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_each_question_has_its_answer(question: str) -> None:
+    row = re.search(rf"^\| {re.escape(question)} \| `([^`]+)` \|$", PAGE, re.MULTILINE)
+    assert row
+    assert QUESTIONS[question] in (ROOT / "shapetween" / row[1]).read_text("utf-8")
+
+
+def test_the_glossary_is_short() -> None:
+    entries = PAGE.split("## Glossary")[1].strip().splitlines()
+    assert len(entries) <= 40
+    assert entries == sorted(entries, key=str.casefold)
