@@ -230,8 +230,10 @@ def _fit(box: Box, size: tuple[int, int]) -> Affine:
 
 
 def _cut_out(shape: Shape) -> Shape:
-    """The area of a shape in black."""
-    return replace(shape, style=Style(Colour(), fill_rule=shape.style.fill_rule))
+    """The area of a shape in black, as far as the groups that it is in show it."""
+    groups = tuple(replace(g, filter=None, blend="normal") for g in shape.style.groups)
+    style = Style(Colour(), fill_rule=shape.style.fill_rule, groups=groups)
+    return replace(shape, style=style)
 
 
 def _in_srgb(light: Shares, seen: Shares) -> Shares:
