@@ -13,6 +13,7 @@ from shapetween.model.outline import Outline
 from shapetween.scene.centrelines import CentreLine, centre_lines
 from shapetween.scene.stroke_contour import contour_part
 from shapetween.scene.stroke_frame import CAP, WALL, StrokeFrame
+from shapetween.scene.stroke_walk import follows
 
 if TYPE_CHECKING:
     import shapely
@@ -82,7 +83,7 @@ def outlined_strokes(region: Region) -> tuple[OutlinedStroke, ...] | None:
     for k, item in enumerate(lines):
         frame = StrokeFrame(item.line.curves, item.line.closed)
         rings = _rings(frame, width / 2, [run for run, owner in runs if owner == k])
-        if rings is None:
+        if rings is None or not all(follows(frame, ring) for ring in rings):
             return None
         strokes.append(OutlinedStroke(item, width, rings))
     return tuple(strokes) if _same(strokes, polygon) else None

@@ -211,9 +211,12 @@ def stroke_outline(
         return None
     ends: tuple[list[_Bound], list[_Bound]] = ([], [])
     for one, other in zip(*walks, strict=True):
+        alike = cut_alike(one, other)
+        if alike is None:
+            return None
         bound = [
             _bound(frame, one.side, places, parts)
-            for frame, (places, parts) in zip(frames, cut_alike(one, other), strict=True)
+            for frame, (places, parts) in zip(frames, alike, strict=True)
         ]
         needed = ~(_needless(frames[0], bound[0]) & _needless(frames[1], bound[1]))
         for k in (0, 1):

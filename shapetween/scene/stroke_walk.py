@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask
-from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.geometry.bezier import curve_lengths, evaluate, sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.stroke_frame import StrokeFrame
 
-__all__ = ["Walk", "cut_alike", "walk_of"]
+__all__ = ["Walk", "cut_alike", "follows", "walk_of"]
 
 #: Places on each curve of an outline at which it is asked where on the contour it runs.
 LOOKS = 12
@@ -23,6 +23,10 @@ SLOPE = 1e-6
 
 #: Distance of an open line's ends, as a share of its extent, at which they are one place.
 MEET = 1e-6
+
+#: Share of a ring's length that may be missing from its parts. They are its own curves, so that any
+#: more is a place where the line lies beside itself and a place was taken for another.
+MISSING = 1e-3
 
 #: By how much a ring's way round the contour may differ from once, in zones.
 ROUND = 0.5
@@ -122,8 +126,16 @@ def _steps(frame: StrokeFrame, contour: Floats) -> Floats | None:
     return np.asarray(np.roll(np.diff(every), at[0]), dtype=np.float64)
 
 
-def cut_alike(one: Walk, other: Walk) -> tuple[tuple[Floats, Curves], tuple[Floats, Curves]]:
+def follows(frame: StrokeFrame, ring: Outline) -> bool:
+    """Whether a ring runs round a stroke's contour once, and nothing of it is lost."""
+    walk = walk_of(frame, ring)
+    return walk is not None and cut_alike(walk, walk) is not None
+
+
+def cut_alike(one: Walk, other: Walk) -> tuple[tuple[Floats, Curves], tuple[Floats, Curves]] | None:
     """Two rings in equally many parts, each beside the same part of the contour.
+
+    None if that leaves something out, as where a line runs into itself.
 
     Returns
     -------
@@ -140,10 +152,12 @@ def cut_alike(one: Walk, other: Walk) -> tuple[tuple[Floats, Curves], tuple[Floa
     entries.sort(key=lambda entry: entry[0])
     table = np.array(entries)
     places = np.append(table[:, 0], float(one.total))
-    return (
-        (places, _parts(one, table[:, 0], table[:, 1])),
-        (places, _parts(other, table[:, 0], table[:, 2])),
-    )
+    parts = [_parts(walk, table[:, 0], table[:, k + 1]) for k, walk in enumerate((one, other))]
+    for walk, own in zip((one, other), parts, strict=True):
+        whole = float(curve_lengths(walk.curves).sum())
+        if abs(float(curve_lengths(own).sum()) - whole) > MISSING * whole:
+            return None
+    return (places, parts[0]), (places, parts[1])
 
 
 def _claim(entries: list[list[float]], walk: Walk, column: int) -> None:

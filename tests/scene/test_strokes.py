@@ -121,3 +121,14 @@ def test_a_stroke_is_cut_with_its_line(node: int) -> None:
         body = shapely.LineString([half[0, 0], *half[:, 3]]).buffer(WIDTH / 2 * 1.5)
         assert shapely.Polygon(flat(part.curves)).buffer(0).difference(body).area < 1e-9
         assert all((one[3] == other[0]).all() for one, other in pairwise(part.curves))
+
+
+@pytest.mark.parametrize("other", [CROSS, CHECK])
+def test_a_letter_that_runs_into_itself_is_drawn_whole(other: list[Outline]) -> None:
+    bowls = [polyline((5, 12), (14, 12), (18, 15), (18, 18), (14, 21), (5, 21), (5, 3), (13, 3))]
+    upper = [polyline((13, 3), (17, 6), (17, 9), (14, 12))]
+    pair = icon(bowls + upper), icon(other)
+    movement = prepare(*pair, Options()).movement
+    for drawing, wanted in zip(movement.at(np.array([0.0, 1.0])), pair, strict=True):
+        area = shown(wanted)
+        assert shown(drawing).symmetric_difference(area).area < 2e-3 * area.area
