@@ -25,6 +25,7 @@ FILES = {
             "geometry",
             "keys",
             "panel",
+            "parts",
             "pins",
             "stage",
             "state",

@@ -7,6 +7,7 @@ as those of the command line do. All answers are plain values that become JSON.
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -102,17 +103,24 @@ def alternatives(job: Job) -> dict[str, Any]:
 
 
 def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
+    import numpy as np
+
     from shapetween.api import Morph
+    from shapetween.model.fit import inverted
 
     timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
     written = {s.name for s in SETTINGS if s.stage == "write"}
     settings = {name: value for name, value in timing.items() if name in written}
-    legs = (moved.correspondence,) if isinstance(moved, Morph) else moved.correspondence
+    if isinstance(moved, Morph):
+        legs = [(moved, moved.correspondence, (np.eye(2, 3), inverted(moved.prepared.fit)))]
+    else:
+        back = [inverted(matrix) for matrix in moved.fits]
+        legs = list(zip(moved.legs, moved.correspondence, pairwise(back), strict=True))
     return {
         "svg": moved.svg(keyframes=keyframes, **settings),
         "seconds": _seconds(job, settings),
         "warnings": list(moved.warnings),
-        "legs": [{"rings": _rings(leg)} for leg in legs],
+        "legs": [_leg(*leg) for leg in legs],
     }
 
 
@@ -141,18 +149,19 @@ def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
     return chain(map(Path, job.drawings), pins=pins, **options)
 
 
-def _rings(leg: "tuple[RingCorrespondence, ...]") -> list[dict[str, Any]]:
-    """Which points belong together, each in its own drawing's units."""
-    return [
-        {
-            "name": ring.name,
-            "hole": ring.hole,
-            "closed": True,
-            "a": _numbers(ring.source),
-            "b": _numbers(ring.target),
-        }
-        for ring in leg
-    ]
+def _leg(leg: "Morph", known: "tuple[RingCorrespondence, ...]", fits: Any) -> dict[str, Any]:
+    """What the page draws over both drawings of a leg."""
+    from shapetween.studio.shown import line_rings, shape_pairs
+
+    rings = [(ring.name, ring.hole, True, ring.source, ring.target) for ring in known]
+    rings += line_rings(leg, *fits)
+    return {
+        "rings": [
+            {"name": name, "hole": hole, "closed": closed, "a": _numbers(a), "b": _numbers(b)}
+            for name, hole, closed, a, b in rings
+        ],
+        "pairs": shape_pairs(leg),
+    }
 
 
 def _numbers(points: Any) -> list[list[float]]:

@@ -8,6 +8,7 @@ import { DrawingView } from "./drawing.js";
 import { Exporter, download } from "./exports.js";
 import { listen } from "./keys.js";
 import { Panel } from "./panel.js";
+import { Parts } from "./parts.js";
 import { Pins } from "./pins.js";
 import { Stage } from "./stage.js";
 
@@ -18,7 +19,7 @@ const ids = new Proxy({}, { get: (_, id) => document.getElementById(id) });
 const drawings = new Map(); // name -> what the server told of it
 const views = { a: new DrawingView(ids.a, "a"), b: new DrawingView(ids.b, "b") };
 const stage = new Stage({ stage: ids.stage, time: ids.time, clock: ids.clock, play: ids.play, again: ids.again });
-let rings = [], free = [], answer = null, timer = null, started = false, seen = null;
+let rings = [], free = [], pairs = [], mode = "pins", answer = null, timer = null, started = false, seen = null;
 
 const say = (text, error = false) => {
   ids.status.textContent = text;
@@ -26,7 +27,12 @@ const say = (text, error = false) => {
 };
 const failed = (error) => { if (error.status !== 409) say(error.message, true); };
 
-const pins = new Pins(views, () => rings, (dragging) => moved(dragging), () => true, say);
+const pins = new Pins(views, () => rings, (dragging) => moved(dragging), () => mode === "pins", say);
+const shapes = (side) => {
+  const s = state.current(), view = drawings.get(s.drawings[s.leg + (side === "b" ? 1 : 0)]);
+  return view ? view.shapes : [];
+};
+const parts = new Parts(views, shapes, () => pairs, ids["part-list"], say);
 const chain = new Chain(ids.chain, (name) => drawings.get(name), () => ids.files.click());
 const alternatives = new Alternatives(ids.choices, ids.alternatives, say);
 let panel, exporter;
@@ -70,6 +76,7 @@ const key = (s) => JSON.stringify(state.job(s));
 function look() {
   const leg = answer && answer.legs[state.current().leg];
   if (!leg) return;
+  pairs = leg.pairs;
   setRings(leg.rings);
   notices(answer.warnings);
   draw();
@@ -109,9 +116,24 @@ function draw() {
   const said = pins.warnings(free);
   pins.draw(said);
   table(said);
+  parts.draw();
+  ids["pin-list"].hidden = mode !== "pins";
+  const alone = s.legs.length > 1;
+  ids["mode-parts"].disabled = alone;
+  ids["mode-parts"].title = alone ? "Parts are paired in a movement of two drawings" : "Say which part becomes which";
+  if (alone && mode === "parts") choose("pins");
+  if (mode === "parts") { ids.hint.textContent = "Click a part of A and then what it becomes in B. Shift for several, Delete for nothing."; return; }
   ids.hint.textContent = s.legs[s.leg].pins.length
     ? "Drag either end of a pin along the outline. The same colour is the same place."
     : "The same colour is the same place. Click an outline to set a pin; drag it to say what becomes what.";
+}
+
+/** What clicks are for: pins or parts. */
+function choose(which) {
+  mode = which;
+  for (const name of ["pins", "parts"]) ids[`mode-${name}`].setAttribute("aria-pressed", name === which);
+  parts.show(which === "parts");
+  draw();
 }
 
 /** The pins as numbers, to be read and typed. */
@@ -218,6 +240,7 @@ async function save() {
   } catch (error) { failed(error); }
 }
 
+for (const name of ["pins", "parts"]) ids[`mode-${name}`].addEventListener("click", () => choose(name));
 const chooseFiles = () => { ids.files.value = ""; ids.files.click(); };
 ids.files.addEventListener("change", () => take(ids.files.files));
 for (const id of ["open", "choose"]) ids[id].addEventListener("click", chooseFiles);

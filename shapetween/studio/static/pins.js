@@ -107,7 +107,7 @@ export class Pins {
   /** A pin at the middle of the longest stretch without one. */
   add() {
     const rings = this.rings();
-    if (!rings.length) return;
+    if (!rings.length || !this.enabled()) return;
     const ring = rings[0], n = ring.a.length;
     const taken = state.leg().pins.filter((p) => rings[ringOf(rings, p)] === ring);
     const places = taken.map((p) => nearest(ring.a, ring.closed, p.slice(0, 2)).place).sort((x, y) => x - y);
