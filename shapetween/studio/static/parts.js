@@ -1,7 +1,7 @@
 // Parts: which shape becomes which. A click on a shape of A and then on one of B makes them a pair;
 // with Shift several; Delete says that it becomes nothing.
 
-import { element } from "./drawing.js";
+import { element, hue } from "./drawing.js";
 import * as state from "./state.js";
 
 const sides = (match) => match.split(":").map((side) => side.split(",").filter(Boolean));
@@ -21,7 +21,8 @@ export class Parts {
     this.list.hidden = !on;
     for (const side of ["a", "b"]) {
       this.views[side].parts.replaceChildren();
-      this.views[side].pins.toggleAttribute("hidden", on);
+      this.views[side].pins.setAttribute("display", on ? "none" : "inline");
+      this.views[side].hues.setAttribute("display", on ? "none" : "inline");
     }
     if (on) this.draw();
   }
@@ -46,6 +47,8 @@ export class Parts {
     const becomes = this.partners(side, number);
     const text = becomes.length ? `becomes ${becomes.map((n) => `#${n}`).join(" and ")}` : "becomes nothing";
     const node = element("path", { class: "part", d: shape.d, tabindex: 0, role: "button", "data-part": `${side}${number}`, "aria-label": `Part #${number}${shape.key.startsWith("#") ? "" : `, ${shape.key}`}, ${text}` });
+    const colour = this.colour(side, number);
+    if (colour) { node.setAttribute("fill", colour); node.setAttribute("stroke", colour); }
     if (!shape.d.includes("Z")) node.classList.add("open");
     if (this.chosen && this.chosen.side === side && this.chosen.number === number) { node.classList.add("chosen"); node.setAttribute("aria-pressed", "true"); }
     const near = (yes) => {
@@ -65,6 +68,14 @@ export class Parts {
       else if (event.key === "Escape") { this.chosen = null; this.draw(); }
     });
     return node;
+  }
+
+  /** The same for shapes that become each other; none for what comes or goes alone. */
+  colour(side, number) {
+    const known = this.pairs().filter((p) => p.a && p.b), k = known.findIndex((p) => p[side] === number);
+    if (k < 0) return null;
+    const first = known.findIndex((p) => p.a === known[k].a || p.b === known[k].b);
+    return hue(first * 0.381966 % 1, document.body.dataset.paper === "dark");
   }
 
   click(side, number, more) {

@@ -51,6 +51,17 @@ export class Pins {
     return [...points.a, ...points.b];
   }
 
+  /** One more pin. Where another than the best matching was taken, three more hold it. */
+  append(made, merge = null) {
+    state.changeLeg((l) => {
+      if (l.matching === 1) return { pins: [...l.pins, made] };
+      const index = ringOf(this.rings(), made), ring = this.rings()[index], n = ring.a.length;
+      const { place } = nearest(ring.a, ring.closed, made.slice(0, 2));
+      const holding = [1, 2, 3].map((k) => this.born({ ring: index, place: place + (k * n) / 4 }));
+      return { pins: [...l.pins, made, ...holding], matching: 1 };
+    }, merge);
+  }
+
   down(event, side) {
     if (!this.enabled() || event.button !== 0 || !this.rings().length) return;
     const view = this.views[side], point = view.point(event);
@@ -67,7 +78,7 @@ export class Pins {
     const rings = this.rings(), value = made || state.leg().pins[pin];
     this.drag = { side, pin, fresh, made, ring: rings[ringOf(rings, value)], at: [event.clientX, event.clientY], moved: false, key: `drag ${Date.now()}` };
     state.settle();
-    if (fresh) state.changeLeg((l) => ({ pins: [...l.pins, made] }), this.drag.key);
+    if (fresh) this.append(made, this.drag.key);
     this.unpoint();
     this.focus(side, pin);
   }
@@ -118,7 +129,7 @@ export class Pins {
     });
     const made = this.born({ ring: 0, place });
     state.settle();
-    state.changeLeg((l) => ({ pins: [...l.pins, made] }));
+    this.append(made);
     this.focus("a", state.leg().pins.length - 1);
   }
 
