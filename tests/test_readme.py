@@ -1,8 +1,11 @@
 """The README's commands and snippets do what it says, in the order it says them."""
 
+import os
 import re
 import shlex
 import shutil
+import signal
+import subprocess
 import sys
 from pathlib import Path
 
@@ -15,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
 
 COMMANDS = [line.strip() for line in README.splitlines() if line.startswith("    ")]
-RUN = [line for line in COMMANDS if line.startswith("shapetween ")]
+RUN = [line for line in COMMANDS if line.startswith("shapetween ") and " studio " not in line]
+STUDIO = [line for line in COMMANDS if line.startswith("shapetween studio ")]
 SETUPS = [line for line in COMMANDS if line.startswith("python3 -m venv .venv && ")]
 
 
@@ -56,6 +60,21 @@ def test_commands_run(checkout: Path, monkeypatch: pytest.MonkeyPatch, line: str
             assert made.exists()
             if words[1] == "frames":
                 assert len(list(made.iterdir())) == int(words[-1])
+
+
+def test_the_studio_opens_until_it_is_stopped(checkout: Path) -> None:
+    (line,) = STUDIO
+    words = [sys.executable, "-m", *shlex.split(line), "--no-open"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    studio = subprocess.Popen(
+        words, cwd=checkout, stdout=subprocess.PIPE, text=True, env=environment
+    )
+    assert studio.stdout is not None
+    said = studio.stdout.readline()
+    studio.send_signal(signal.SIGINT)
+    studio.communicate(timeout=30)
+    assert "http://127.0.0.1:" in said
+    assert studio.returncode == 0
 
 
 def test_the_main_job_is_one_command_on_a_fresh_machine(

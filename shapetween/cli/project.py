@@ -72,4 +72,6 @@ def _read(ctx: click.Context, param: click.Parameter, path: Path | None) -> None
     matches = [tuple(match.split(":", 1)) for leg in legs for match in leg.matches]
     if matches:
         said["matches"] = matches
+    if not several and legs[0].matching != 1:
+        said["matching"] = legs[0].matching
     ctx.default_map = {**(ctx.default_map or {}), **said}

@@ -6,9 +6,8 @@ import numpy as np
 
 from shapetween.api import Morph
 from shapetween.base.arrays import Affine, Points
-from shapetween.elastic.aboard import unrepeated
+from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import evaluate
-from shapetween.model.fit import mapped
 from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.movement import PairPart
 
@@ -34,7 +33,7 @@ def line_rings(leg: Morph, first: Affine, second: Affine) -> list[Ring]:
         From the movement's frame to each drawing's own units.
     """
     found: list[Ring] = []
-    for part in unrepeated(leg.prepared.movement.parts):
+    for part in leg.prepared.movement.parts:
         if not isinstance(part, PairPart) or _by_outline(part) or len(found) >= MOST_RINGS:
             continue
         ends = part.curves(np.array([0.0, 1.0]))

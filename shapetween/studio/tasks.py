@@ -26,6 +26,9 @@ __all__ = ["TASKS", "full", "live", "read", "warm"]
 LIVE_KEYFRAMES = 17
 
 
+#: Most matchings that are offered: of more none is told from another.
+MOST_ALTERNATIVES = 6
+
 #: Legs without pins that a worker keeps, from which previews start. Each holds a few megabytes.
 KEPT = 4
 
@@ -98,15 +101,25 @@ def full(job: Job) -> dict[str, Any]:
 
 def alternatives(job: Job) -> dict[str, Any]:
     """The best distinct matchings of one leg, each as it moves."""
-    del job
-    return {"alternatives": []}
+    from shapetween.base.errors import OptionError
+
+    (leg,) = job.legs
+    found = []
+    for matching in range(1, MOST_ALTERNATIVES + 1):
+        try:
+            moved = _moved(replace(job, legs=(replace(leg, matching=matching),)), quick=True)
+        except OptionError:  # there are no more
+            break
+        svg = moved.svg(keyframes=LIVE_KEYFRAMES, loop="alternate", hold=0.3, easing="ease-in-out")
+        found.append({"matching": matching, "svg": svg})
+    return {"alternatives": found}
 
 
 def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
     import numpy as np
 
     from shapetween.api import Morph
-    from shapetween.model.fit import inverted
+    from shapetween.geometry.affine import inverted
 
     timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
     written = {s.name for s in SETTINGS if s.stage == "write"}
@@ -143,6 +156,7 @@ def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
         options["folds"] = "allow"
     if len(job.legs) == 1:
         leg = job.legs[0]
+        options["matching"] = leg.matching
         matches = [tuple(match.split(":", 1)) for match in leg.matches]
         return morph(*map(Path, job.drawings), pins=leg.pins, matches=matches, **options)  # type: ignore[arg-type]
     pins = {k: leg.pins for k, leg in enumerate(job.legs, start=1) if leg.pins}

@@ -89,8 +89,10 @@ function setRings(found) {
   for (const side of ["a", "b"]) views[side].colour(rings, dark);
 }
 
+/** Warnings; one that names options of the command line is said as the page has it. */
 function notices(lines) {
-  ids.notices.replaceChildren(...lines.map((line) => Object.assign(document.createElement("li"), { textContent: line })));
+  const here = lines.map((line) => (/matched with little certainty/.test(line) ? "Matched with little certainty: look at the other matchings, or set a pin." : line));
+  ids.notices.replaceChildren(...here.map((line) => Object.assign(document.createElement("li"), { textContent: line })));
 }
 
 function moved(dragging) {
