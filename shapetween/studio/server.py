@@ -154,6 +154,10 @@ class Handler(BaseHTTPRequestHandler):
         """What the page calls the file that it sends."""
         return unquote(self.headers.get("X-Name", "")) or "drawing.svg"
 
+    def _page(self) -> str:
+        """Which of the open pages it is that asks."""
+        return self.headers.get("X-Page", "")[:64]
+
     def _job(self, body: bytes) -> Any:
         return self.server.session.job(_parsed(body))
 
@@ -170,11 +174,10 @@ class Handler(BaseHTTPRequestHandler):
         self._send_json(self.server.session.live(self._job(body)))
 
     def _alternatives(self, body: bytes) -> None:
-        self._send_json(self.server.session.alternatives(self._job(body)))
+        self._send_json(self.server.session.alternatives(self._page(), self._job(body)))
 
     def _full(self, body: bytes) -> None:
-        page = self.headers.get("X-Page", "")[:64]
-        self._send_json(self.server.session.full(page, self._job(body)))
+        self._send_json(self.server.session.full(self._page(), self._job(body)))
 
     def _save(self, body: bytes) -> None:
         text = self.server.session.save(self._job(body))

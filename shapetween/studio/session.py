@@ -100,9 +100,9 @@ class Session:
         """A preview."""
         return self.workers.quick("live", job)
 
-    def alternatives(self, job: Job) -> Any:
-        """The best matchings of one leg, each as it moves."""
-        return self.workers.quick("alternatives", job)
+    def alternatives(self, page: str, job: Job) -> Any:
+        """The best matchings of one leg, each as it moves; previews do not wait for them."""
+        return self.workers.run(f"{page} alternatives", "alternatives", job)
 
     def full(self, page: str, job: Job) -> Any:
         """The full result."""

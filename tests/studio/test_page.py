@@ -72,6 +72,7 @@ class Studio:
 
     def take(self, *paths: Path) -> None:
         self.page.set_input_files("#files", [str(path) for path in paths])
+        self.until(lambda: self.text("#status") != "Reading…")
         self.rest()
 
     def until(self, true: Callable[[], Any], seconds: float = 30) -> Any:

@@ -137,6 +137,12 @@ def test_broken_projects_are_one_line(client: Client, data: bytes, said: str) ->
     assert said in answer.json["error"]
 
 
+def test_alternatives_are_distinct_and_numbered(client: Client) -> None:
+    found = client.call("/api/alternatives", PAIR).json["alternatives"]
+    assert [one["matching"] for one in found] == list(range(1, len(found) + 1))
+    assert len({one["svg"] for one in found}) == len(found) >= 2
+
+
 def test_a_newer_request_ends_the_older_one(client: Client) -> None:
     statuses: list[int] = []
 
