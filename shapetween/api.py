@@ -25,6 +25,7 @@ from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement
 from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.pipeline import Folds, Options, Prepared, prepare
+from shapetween.scene.asked import Change, Pairing
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.diagram import MeshView
 
@@ -193,6 +194,8 @@ def morph(
     together: bool = True,
     matching: int = 1,
     flip: Flip = "none",
+    pairing: Pairing = "normal",
+    change: Change | None = None,
     pictures: bool = False,
     font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
@@ -210,7 +213,7 @@ def morph(
     pins : iterable of (ax, ay, bx, by)
         Points that belong together, each in its own drawing's user units.
     matches : iterable of (str, str)
-        Ids of shapes that become each other.
+        Ids of shapes that become each other, as ``--match`` takes them.
     mesh : MeshPair, or iterable of (str, MeshPair), optional
         Meshes to use instead of found ones, with the names of their shapes.
     fit : {"view", "geometry", "none"}
@@ -219,13 +222,16 @@ def morph(
     folds : {"prevent", "allow"}
         Move the plane around a shape along, so that nothing folds, or the bare mesh alone.
     together : bool
-        Let the shapes of a drawing ride on the movement of its silhouette; else each moves by
-        itself.
+        Let parts move as they are seen together; else every area by a mesh of its own.
     matching : int
         Which of the distinct ways for one outline to become the other, the best one being 1; the
         report lists them.
     flip : {"none", "b"}
         "b" mirrors the second drawing about its upright axis first.
+    pairing : {"normal", "loose", "strict"}
+        How readily parts become others instead of coming and going by themselves.
+    change : {"fade", "draw", "grow", "slide"}, optional
+        How parts without a partner come and go; each as it lies if left out.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
     font : path, optional
@@ -249,6 +255,8 @@ def morph(
         together=together,
         matching=matching,
         flip=flip,
+        pairing=pairing,
+        change=change,
     )
     with observe("read"):
         drawings = _opened(a, pictures, font), _opened(b, pictures, font)
@@ -264,6 +272,8 @@ def chain(
     pins: Mapping[int, Iterable[Pin]] | None = None,
     fit: Fit = "view",
     folds: Folds = "prevent",
+    pairing: Pairing = "normal",
+    change: Change | None = None,
     pictures: bool = False,
     font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
@@ -275,7 +285,7 @@ def chain(
     drawings : iterable of path or Drawing
         SVG files, or drawings already read, at least two. Naming the first one again at the end
         closes the chain.
-    method, quads, folds, pictures, font
+    method, quads, folds, pairing, change, pictures, font
         As for `shapetween.morph`, for every leg.
     pins : mapping of int to iterable of (ax, ay, bx, by), optional
         Points that belong together, by the leg, counted from 1, each in its own drawing's user
@@ -296,7 +306,9 @@ def chain(
     sources = list(drawings)
     if len(sources) < 2:
         raise OptionError(f"chain: {len(sources)} drawings; expected two or more")
-    options = Options(method=method, quads=quads, fit="none", folds=folds)
+    options = Options(
+        method=method, quads=quads, fit="none", folds=folds, pairing=pairing, change=change
+    )
     pinned = _pinned(pins or {}, len(sources) - 1)
     names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):

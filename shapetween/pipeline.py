@@ -1,6 +1,5 @@
 """From two drawings to the movement between them, one stage after another."""
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, get_args
@@ -14,7 +13,6 @@ from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
 from shapetween.fill.morph import morph_fill
-from shapetween.fill.naming import is_given
 from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import FillSettings
 from shapetween.geometry.affine import mapped
@@ -24,13 +22,15 @@ from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement, Part
+from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.motion.choose import SAME, clockwise, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.tracks import Elastic
-from shapetween.scene.movement import PairPart, SceneMovement, move_scene
+from shapetween.scene.movement import SceneMovement, move_scene
+from shapetween.scene.parts import PairPart
 from shapetween.scene.places import Places
 from shapetween.scene.strokes import as_lines
 
@@ -53,7 +53,8 @@ class Options:
     pins : tuple of (ax, ay, bx, by)
         Points that belong together, each in its own drawing's user units.
     matches : tuple of (str, str)
-        Names of shapes that become each other.
+        Names of shapes that become each other, ``#N`` for the N-th in paint order; several of one
+        side with commas between; an empty side for a shape that comes or goes alone.
     meshes : tuple of (str, MeshPair)
         Meshes to use, with the name of the shape, vertices in each drawing's own user units; the
         name "" serves any shape. Several of one name serve its pieces in turn.
@@ -68,6 +69,10 @@ class Options:
         Which of the distinct matchings of two outlines to take, the best one being 1.
     flip : {"none", "b"}
         Whether the second drawing is mirrored about its upright axis first.
+    pairing : {"normal", "loose", "strict"}
+        How readily parts become others instead of coming and going by themselves.
+    change : {"fade", "draw", "grow", "slide"} or None
+        How parts without a partner come and go; None for each as it lies.
     """
 
     method: str = "projective"
@@ -80,12 +85,20 @@ class Options:
     together: bool = True
     matching: int = 1
     flip: Flip = "none"
+    pairing: Pairing = "normal"
+    change: Change | None = None
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
         check_method(self.method)
         if self.folds not in get_args(Folds):
             raise OptionError(f"folds: {self.folds!r} is none of {', '.join(get_args(Folds))}")
+        if self.pairing not in get_args(Pairing):
+            raise OptionError(
+                f"pairing: {self.pairing!r} is none of {', '.join(get_args(Pairing))}"
+            )
+        if self.change is not None and self.change not in get_args(Change):
+            raise OptionError(f"change: {self.change!r} is none of {', '.join(get_args(Change))}")
         if self.quads is not None and self.quads < 1:
             raise OptionError(f"quads: {self.quads} is no count; give 1 or more")
         if self.matching < 1:
@@ -168,7 +181,7 @@ def prepare(
     with observe("fit"):
         matrix = fit_matrix(source, target, chosen.fit, chosen.flip)
         shapes = source.shapes, target.transformed(matrix).shapes
-        settled = _settled(*shapes, chosen.matches)
+        groups = groups_of(*shapes, chosen.matches)
     pins = np.array(chosen.pins, dtype=np.float64).reshape(-1, 4)
     pins[:, 2:] = mapped(pins[:, 2:], matrix)
     meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
@@ -182,7 +195,8 @@ def prepare(
         for warning in drawing.warnings
     ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
-    parts, said, scene = _moved(source.shapes, shapes[1], boxes, settled, settings, names)
+    asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins)
+    parts, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said
     settings.check_used()
     if chosen.folds == "prevent":
@@ -197,7 +211,7 @@ def _moved(
     first: tuple[Shape, ...],
     second: tuple[Shape, ...],
     boxes: tuple[Points, Points],
-    settled: list[tuple[int, int]],
+    asked: Asked,
     settings: FillSettings,
     names: tuple[str, str],
 ) -> tuple[tuple[Part, ...], tuple[Notice, ...], SceneMovement | None]:
@@ -205,13 +219,14 @@ def _moved(
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
     one, other = joined_lines(one), joined_lines(other)
-    if not _two_outlines(one, other):
+    free = all(group[0] and group[1] for group in asked.groups)
+    if not (free and _two_outlines(one, other)):
         one, other = as_lines(one, other)
-    if len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
+    if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
         return (part,), told, None
-    scene = move_scene(one, other, boxes, settled, settings, names)
+    scene = move_scene(one, other, boxes, asked, settings, names)
     return scene.parts, (*said, *more, *scene.notices), scene
 
 
@@ -262,38 +277,3 @@ def _corners(box: Box) -> Points:
 
 def _in_frame(mesh: MeshPair, matrix: Affine) -> MeshPair:
     return MeshPair(mesh.source, mapped(mesh.target, matrix), mesh.quads, mesh.triangles)
-
-
-def _settled(
-    first: tuple[Shape, ...], second: tuple[Shape, ...], matches: tuple[tuple[str, str], ...]
-) -> list[tuple[int, int]]:
-    """Indices of the shapes that the user matched by name."""
-    settled = []
-    for pair in matches:
-        found = []
-        for name, side, which in zip(pair, (first, second), ("first", "second"), strict=True):
-            known = [k for k, shape in enumerate(side) if shape.name == name]
-            if not known:
-                named = sorted({shape.name for shape in side if shape.name})
-                have = f"; it has {', '.join(named[:8])}" if named else "; its shapes have no ids"
-                raise OptionError(f"match: the {which} drawing has no shape {name!r}{have}")
-            found.append(known[0])
-        settled.append((found[0], found[1]))
-    for k, which in enumerate(("first", "second")):
-        if len({pair[k] for pair in settled}) < len(settled):
-            raise OptionError(f"match: a shape of the {which} drawing is matched twice")
-    for i, j in _named_alike(first, second):
-        if i not in {a for a, _ in settled} and j not in {b for _, b in settled}:
-            settled.append((i, j))
-    return settled
-
-
-def _named_alike(first: tuple[Shape, ...], second: tuple[Shape, ...]) -> list[tuple[int, int]]:
-    """Pairs of shapes by names that a person gave and both drawings have once."""
-    counts = [Counter(shape.name for shape in side) for side in (first, second)]
-    there = {shape.name: j for j, shape in enumerate(second)}
-    return [
-        (i, there[shape.name])
-        for i, shape in enumerate(first)
-        if is_given(shape.name) and counts[0][shape.name] == counts[1][shape.name] == 1
-    ]

@@ -108,6 +108,9 @@ class Common:
     quads: int | None
     pins: tuple[OfLeg, ...]
     matches: tuple[tuple[str, str], ...]
+    loose: bool
+    strict: bool
+    change: str | None
     mesh: Path | None
     matching: int
     fit: str
@@ -236,12 +239,16 @@ class Common:
 
     def _for_any_pair(self) -> dict[str, Any]:
         """What serves every pair of a chain alike."""
+        if self.loose and self.strict:
+            raise OptionError("--loose and --strict: expected one of them at most")
         return {
             "method": self.method,
             "folds": self.folds,
             "quads": self.quads,
             "fit": self.fit,
             "font": self.font,
+            "pairing": "loose" if self.loose else "strict" if self.strict else "normal",
+            "change": self.change,
         }
 
 
@@ -275,7 +282,17 @@ _OPTIONS: tuple[Option, ...] = (
         "matches",
         type=Match(),
         multiple=True,
-        help="Ids of a shape of A and the shape of B that it becomes. Repeatable.",
+        help="Ids of a shape of A and the shape of B that it becomes, or #N for the N-th. Of one "
+        "side there may be several, a:b1,b2, or none: a: goes and :b comes alone. Repeatable.",
+    ),
+    click.option(
+        "--loose", is_flag=True, help="Let parts become others more readily than come and go."
+    ),
+    click.option("--strict", is_flag=True, help="Let parts come and go more readily."),
+    click.option(
+        "--change",
+        type=Name("fade", "draw", "grow", "slide"),
+        help="How parts without a partner come and go.  [default: each as it lies]",
     ),
     click.option(
         "--mesh",

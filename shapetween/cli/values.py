@@ -81,7 +81,7 @@ class Pin(click.ParamType[Any]):
 
 
 class Match(click.ParamType[Any]):
-    """``IDA:IDB``: a shape of A and the shape of B that it becomes."""
+    """``IDA:IDB``: a shape of A and the shape of B that it becomes, several, or none."""
 
     name = "IDA:IDB"
 
@@ -90,7 +90,7 @@ class Match(click.ParamType[Any]):
         if isinstance(value, tuple):
             return value
         first, colon, second = str(value).partition(":")
-        if not (first and colon and second):
+        if not colon or not (first or second):
             self.fail(f"{value!r} is not IDA:IDB, such as tail:tail-fin")
         return first, second
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Points
 from shapetween.model.outline import Outline
+from shapetween.scene.asked import Change
 from shapetween.scene.forms import Dot, OpenLine, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Track
@@ -40,6 +41,7 @@ def leaving_part(
     hosts: dict[int, tuple[Track, ...]],
     arrives: bool,
     frame: Frame | None,
+    change: Change | None = None,
 ) -> LonePart | StrokedLonePart:
     """The part of an item without a partner.
 
@@ -54,9 +56,13 @@ def leaving_part(
         Whether it comes.
     frame : Frame or None
         What the whole drawing moves in.
+    change : str, optional
+        How it goes, if the user says so. What cannot be drawn along its length grows instead.
     """
     item = scene.items[k]
     leaving, host = _leaving(k, scene, hosts, arrives)
+    if change is not None and not scene.sheets[k]:
+        leaving = _asked(change, leaving, k, scene, hosts)
     carry = None
     if host is not None:
         carry = Carry.near(hosts[host][0], item.centre, scene.scale, float(arrives))
@@ -83,6 +89,23 @@ def _halves(line: Outline) -> list[Curves]:
     middle = places.point(np.array([0.5]))[0]
     k = int(np.linalg.norm(pieces[:, 0] - middle, axis=1).argmin())
     return [pieces[:k], pieces[k:]]
+
+
+def _asked(
+    change: Change, leaving: Leaving, k: int, scene: Scene, hosts: dict[int, tuple[Track, ...]]
+) -> Leaving:
+    """The same time, but in the way that the user asks for."""
+    item, window = scene.items[k], leaving.window
+    if change == "draw" and not item.filled:
+        return Leaving(window, drawn="start", fades=False)
+    if change == "slide" and hosts:
+        away = np.linalg.norm(scene.centres[list(hosts)] - item.centre, axis=1)
+        larger = np.array([scene.sizes[j] >= scene.sizes[k] for j in hosts])
+        nearest = list(hosts)[int(np.where(larger, away, np.inf).argmin())]
+        return Leaving(window, scene.items[nearest].centre, 0.0, fades=False)
+    if change == "fade":
+        return Leaving(window)
+    return Leaving(window, item.centre, 0.0, fades=False)
 
 
 def _leaving(

@@ -13,7 +13,7 @@ from shapetween.geometry.affine import mapped
 from shapetween.outline.preview import Level, Previews
 from shapetween.pipeline import Prepared
 from shapetween.scene.motion.tracks import Elastic, Mirrored, Shared, Track
-from shapetween.scene.movement import PairPart
+from shapetween.scene.parts import PairPart
 
 __all__ = ["previewed"]
 

@@ -2,8 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from shapetween.base.arrays import Points
+from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import divided_areas
 from shapetween.scene.cuts.division import Found
 from shapetween.scene.cuts.lines import shared_lines
@@ -12,6 +14,12 @@ from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, perceive
 
 __all__ = ["Cut", "cut_alike_items"]
+
+Cutting: TypeAlias = Callable[[Scene, Scene, Sequence[Group]], Found]
+"""From a scene whose items are cut, one whose items they become, and what the user asks for."""
+
+CUTS: tuple[Cutting, ...] = (shared_lines, divided_areas, divided_rings)
+"""All ways, in order."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,14 +37,30 @@ class Cut:
     given: tuple[tuple[int, int], ...]
 
 
-def cut_alike_items(a: Scene, b: Scene, views: tuple[Points, Points]) -> Cut:
-    """Cut the items of both scenes, each where the other one's ask for it."""
+def cut_alike_items(
+    a: Scene, b: Scene, views: tuple[Points, Points], groups: Sequence[Group] = ()
+) -> Cut:
+    """Cut the items of both scenes, each where the other one's ask for it.
+
+    Parameters
+    ----------
+    a, b : Scene
+    views : ((2, 2) float64, (2, 2) float64)
+        What is shown of each drawing.
+    groups : sequence of Group
+        Shapes that become each other because the user says so: one may become several.
+    """
     given: list[tuple[Item, Item]] = []
-    cuts: Sequence[Callable[[Scene, Scene], Found]] = (shared_lines, divided_areas, divided_rings)
+    cuts: Sequence[Callable[[Scene, Scene, Sequence[Group]], Found]] = (
+        shared_lines,
+        divided_areas,
+        divided_rings,
+    )
     for cut in cuts:
         for backwards in (False, True):
             whole, parts = (b, a) if backwards else (a, b)
-            found = cut(whole, parts)
+            asked = [(two, one) for one, two in groups] if backwards else groups
+            found = cut(whole, parts, asked)
             if not found:
                 continue
             items: list[Item] = []

@@ -1,5 +1,6 @@
 """One fill that becomes several: it is cut into the cells of its pieces, as a cell divides."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -8,6 +9,7 @@ from shapetween.base.arrays import Index
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
 from shapetween.model.paint import Gradient
+from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene
@@ -25,10 +27,10 @@ CLOSING, LIKE = 0.12, 0.45
 MOST = 6
 
 
-def divided_areas(whole: Scene, parts: Scene) -> Found:
+def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
     """Fills of a scene that several of the other one are pieces of, cut into as many."""
     found: Found = {}
-    for k, pieces in families(whole, parts, filled=True):
+    for k, pieces in families(whole, parts, groups, filled=True):
         item = whole.items[k]
         if not _opaque(item):
             continue
@@ -47,12 +49,16 @@ def _opaque(item: Item) -> bool:
     return item.style.stroke is None and alpha * item.style.opacity > 0.999
 
 
-def families(whole: Scene, parts: Scene, *, filled: bool) -> list[tuple[int, Index]]:
+def families(
+    whole: Scene, parts: Scene, groups: Sequence[Group], *, filled: bool
+) -> list[tuple[int, Index]]:
     """Outermost items that are the only ones of their colour, and several like them on the other.
 
     Parameters
     ----------
     whole, parts : Scene
+    groups : sequence of Group
+        Shapes that a user says become each other, which is asked no more.
     filled : bool
         Whether areas are asked for, else closed lines.
     """
@@ -74,7 +80,17 @@ def families(whole: Scene, parts: Scene, *, filled: bool) -> list[tuple[int, Ind
         for s in (whole, parts)
     )
     found = []
+    shapes = [np.array([item.shape for item in s.items]) for s in (whole, parts)]
+    for one, several in groups:
+        own = np.flatnonzero(np.isin(shapes[0], one))
+        pieces = np.flatnonzero(np.isin(shapes[1], several))
+        kinds = {item.filled for item in (parts.items[j] for j in pieces)}
+        if len(own) == 1 and 2 <= len(pieces) <= MOST and kinds == {filled}:
+            found.append((int(own[0]), pieces))
+    asked = {k for k, _ in found}
     for k in ours.tolist():
+        if k in asked:
+            continue
         alike = np.abs(whole.colours[ours] - whole.colours[k]).sum(axis=-1) < COLOUR
         if alike.sum() != 1:
             continue

@@ -1,8 +1,11 @@
 """Lines that lie on longer ones of the other drawing, which are cut where the shorter ones end."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from shapetween.model.paint import Gradient
+from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.items import Item
 from shapetween.scene.places import Places, run_of
@@ -24,8 +27,9 @@ REST = 0.02
 SAMPLED = 33
 
 
-def shared_lines(whole: Scene, parts: Scene) -> Found:
-    """Lines of a scene on which lines of another one lie, cut so."""
+def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
+    """Lines of a scene on which lines of another one lie, cut so; what is asked for stays whole."""
+    kept = {k for one, _ in groups for k in one}
     found: Found = {}
     taken: set[int] = set()
     lines = [(k, item) for k, item in enumerate(parts.items) if not item.filled and not item.closed]
@@ -33,7 +37,7 @@ def shared_lines(whole: Scene, parts: Scene) -> Found:
     order = sorted(range(len(whole.items)), key=lambda k: (-whole.items[k].length, k))
     for k in order:
         item = whole.items[k]
-        if item.filled or not _opaque(item):
+        if item.filled or item.shape in kept or not _opaque(item):
             continue
         places = Places(item.outer)
         spans = []

@@ -1,9 +1,12 @@
 """One closed line that becomes two: it is cut into two open ones, each of which closes."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
+from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import families
 from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.motion.choose import clockwise
@@ -16,12 +19,12 @@ __all__ = ["divided_rings"]
 ASKED = 360
 
 
-def divided_rings(whole: Scene, parts: Scene) -> Found:
+def divided_rings(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
     """Closed lines of a scene that two of the other one are made of, cut in two."""
     import shapely
 
     found: Found = {}
-    for k, pieces in families(whole, parts, filled=False):
+    for k, pieces in families(whole, parts, groups, filled=False):
         if len(pieces) != 2:
             continue
         item = whole.items[k]

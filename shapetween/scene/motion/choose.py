@@ -28,7 +28,7 @@ from shapetween.scene.motion.knots import (
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["SAME", "Ends", "clockwise", "is_blob", "tracks_of"]
+__all__ = ["SAME", "Ends", "clockwise", "elastic", "is_blob", "tracks_of"]
 
 #: Residual of a line's best similarity, as shares: what a turn must leave at most, what part of the
 #: residual without one, and what that must be at least, for a line to turn on its way.
@@ -90,7 +90,7 @@ def tracks_of(
     """Tracks of all rings of a pair, and warnings."""
     first, second = ends.first, ends.second
     if settings.meshed and first.filled and second.filled:
-        return _elastic(ends, settings, names)
+        return elastic(ends, settings, names)
     if _same(first, second):
         return tuple(_still(ring, other) for ring, other in _rings(first, second)), ()
     if first.closed and second.closed:
@@ -169,7 +169,7 @@ def _closed(
         if _sound(simple):
             return (simple, *hole_tracks(first, second, simple)), ()
     try:
-        return _elastic(ends, settings, names)
+        return elastic(ends, settings, names)
     except OutlineError:
         if simple is None:
             simple = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
@@ -185,9 +185,10 @@ def is_blob(item: Item) -> bool:
     )
 
 
-def _elastic(
+def elastic(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+    """The track of a pair of areas by the outline engine."""
     shapes = [
         item.replaced((clockwise(item.outer), *item.holes)).as_shape
         for item in (ends.first, ends.second)

@@ -1,0 +1,138 @@
+"""How a pair of items moves, as it lies in its scenes."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.base.notices import Notice
+from shapetween.fill.regions import regions_of
+from shapetween.fill.settings import FillSettings
+from shapetween.fill.stroking import outlined
+from shapetween.model.drawing import Shape
+from shapetween.model.outline import Outline
+from shapetween.scene.assign import Roles
+from shapetween.scene.forms import form_of
+from shapetween.scene.items import Item
+from shapetween.scene.motion.choose import Ends, elastic, tracks_of
+from shapetween.scene.motion.pinned import pinned_pieces
+from shapetween.scene.motion.tracks import Blend, Mirrored, Track
+from shapetween.scene.relations import Scene
+
+__all__ = ["of_one_kind", "pair_tracks"]
+
+
+def pair_tracks(
+    k: int,
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    settings: FillSettings,
+    names: tuple[str, str],
+    pins: Points,
+) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+    """Tracks of one pair; of a pair whose mates are a pair too, as the mirror image of those.
+
+    Parameters
+    ----------
+    k : int
+        Which pair.
+    a, b : Scene
+    roles : Roles
+    settings : FillSettings
+    names : tuple of str
+        What messages call the drawings.
+    pins : (K, 4) float64
+        What the user pinned of this pair.
+    """
+    role = roles.pairs[k]
+    ends = _ends(role.first, role.second, a, b)
+    if len(pins):
+        if ends.first.filled and ends.second.filled:
+            return elastic(ends, settings, names)
+        pieces = pinned_pieces(ends.first, ends.second, pins)
+        return (Blend(pieces, np.stack([ends.first.centre, ends.second.centre])),), ()
+    axis = _mirror(role.first, role.second, a, b, roles)
+    if axis is None:
+        return tracks_of(ends, settings, names)
+    flips, places = axis
+    image = replace(
+        ends,
+        first=_mirrored(ends.first, flips, places[0]),
+        second=_mirrored(ends.second, flips, places[1]),
+    )
+    image = replace(image, forms=(form_of(image.first), form_of(image.second)))
+    found, said = tracks_of(image, settings, names)
+    return tuple(Mirrored(track, flips, places) for track in found), said
+
+
+def _ends(first: int, second: int, a: Scene, b: Scene) -> Ends:
+    symmetric = -1
+    for one in a.axes:
+        for other in b.axes:
+            own = one.mates[first] == first and other.mates[second] == second
+            if symmetric < 0 and one.flips == other.flips and own:
+                symmetric = one.flips
+    root = bool(a.parents[first] < 0 or b.parents[second] < 0)
+    items = of_one_kind(a.items[first], b.items[second])
+    forms = [
+        form if item is own else form_of(item)
+        for item, own, form in zip(
+            items, (a.items[first], b.items[second]), (a.forms[first], b.forms[second]), strict=True
+        )
+    ]
+    return Ends(
+        items[0],
+        items[1],
+        (forms[0], forms[1]),
+        (a.scale + b.scale) / 2,
+        symmetric,
+        root,
+    )
+
+
+def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
+    """Two items as they become each other: an open line beside an area is its outline."""
+    if first.filled == second.filled:
+        return first, second
+    if not first.filled and not first.closed:
+        return _outline_of(first), second
+    if not second.filled and not second.closed:
+        return first, _outline_of(second)
+    return first, second
+
+
+def _outline_of(line: Item) -> Item:
+    """The area that a line's stroke covers."""
+    if line.painted is not None:
+        area = line.painted.rings
+        return Item(area[:1], line.painted.style, line.shape, line.name)
+    shape = outlined(Shape(line.rings, line.style, line.name))
+    regions, _ = regions_of(shape, line.name)
+    return Item((regions[0].outer, *regions[0].holes), shape.style, line.shape, line.name)
+
+
+def _mirror(
+    first: int, second: int, a: Scene, b: Scene, roles: Roles
+) -> tuple[int, tuple[float, float]] | None:
+    """The axis about which a pair mirrors another pair that is drawn as it is; None without one."""
+    pairs = {(role.first, role.second) for role in roles.pairs}
+    for one in a.axes:
+        for other in b.axes:
+            mates = int(one.mates[first]), int(other.mates[second])
+            if one.flips != other.flips or min(mates) < 0 or mates not in pairs:
+                continue
+            # The one that comes first is moved as it is, the other as its mirror image.
+            if mates != (first, second) and mates < (first, second):
+                return one.flips, (one.place, other.place)
+    return None
+
+
+def _mirrored(item: Item, flips: int, place: float) -> Item:
+    matrix = np.eye(2, 3)
+    matrix[flips, flips], matrix[flips, 2] = -1.0, 2 * place
+    image = item.transformed(matrix)
+    if not item.filled:
+        return image
+    rings = tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in image.rings)
+    return replace(image, rings=rings)
