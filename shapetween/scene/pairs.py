@@ -12,7 +12,7 @@ from shapetween.fill.stroking import outlined
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.scene.assign import Roles
-from shapetween.scene.forms import form_of
+from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import Ends, elastic, tracks_of
 from shapetween.scene.motion.pinned import pinned_pieces
@@ -20,6 +20,10 @@ from shapetween.scene.motion.tracks import Blend, Mirrored, Track
 from shapetween.scene.relations import Scene
 
 __all__ = ["of_one_kind", "pair_tracks"]
+
+#: Most pairs of a drawing that the outline engine moves, a tenth of a second each: the largest are
+#: seen, and what is small bends as well by itself.
+MOST_ELASTIC = 2
 
 
 def pair_tracks(
@@ -46,7 +50,7 @@ def pair_tracks(
         What the user pinned of this pair.
     """
     role = roles.pairs[k]
-    ends = _ends(role.first, role.second, a, b)
+    ends = replace(_ends(role.first, role.second, a, b), root=k in _mains(a, b, roles))
     if len(pins):
         if ends.first.filled and ends.second.filled:
             return elastic(ends, settings, names)
@@ -66,6 +70,22 @@ def pair_tracks(
     return tuple(Mirrored(track, flips, places) for track in found), said
 
 
+def _mains(a: Scene, b: Scene, roles: Roles) -> list[int]:
+    """The pairs that the outline engine is worth its time for: the largest of no simple form."""
+    generic = [
+        (-round(float(a.sizes[role.first] * b.sizes[role.second]), 9), k)
+        for k, role in enumerate(roles.pairs)
+        if a.items[role.first].closed
+        and b.items[role.second].closed
+        and (a.parents[role.first] < 0 or b.parents[role.second] < 0)
+        and not (
+            isinstance(a.forms[role.first], RoundedBox)
+            and isinstance(b.forms[role.second], RoundedBox)
+        )
+    ]
+    return [k for _, k in sorted(generic)[:MOST_ELASTIC]]
+
+
 def _ends(first: int, second: int, a: Scene, b: Scene) -> Ends:
     symmetric = -1
     for one in a.axes:
@@ -73,7 +93,6 @@ def _ends(first: int, second: int, a: Scene, b: Scene) -> Ends:
             own = one.mates[first] == first and other.mates[second] == second
             if symmetric < 0 and one.flips == other.flips and own:
                 symmetric = one.flips
-    root = bool(a.parents[first] < 0 or b.parents[second] < 0)
     items = of_one_kind(a.items[first], b.items[second])
     forms = [
         form if item is own else form_of(item)
@@ -87,7 +106,6 @@ def _ends(first: int, second: int, a: Scene, b: Scene) -> Ends:
         (forms[0], forms[1]),
         (a.scale + b.scale) / 2,
         symmetric,
-        root,
     )
 
 

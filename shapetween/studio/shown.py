@@ -9,7 +9,7 @@ from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import evaluate
 from shapetween.scene.motion.tracks import Elastic
-from shapetween.scene.movement import PairPart
+from shapetween.scene.parts import PairPart
 
 __all__ = ["Ring", "line_rings", "shape_pairs"]
 

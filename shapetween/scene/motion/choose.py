@@ -166,7 +166,8 @@ def _closed(
     if blobs or not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
         knots = ring_knots(*places)
         simple = _blend(cut_alike(*places, *knots), first, second, 0.0)
-        if _sound(simple):
+        small = min(first.extent, second.extent) <= LARGE * ends.scale
+        if blobs or small or _sound(simple):
             return (simple, *hole_tracks(first, second, simple)), ()
     try:
         return elastic(ends, settings, names)
