@@ -45,7 +45,7 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
             for ring in body.nodes.rings
         ],
         "parts": [] if prepared.scene is None else _parts(prepared.scene),
-        "riding": [],  # nothing rides any more; the key stays for one version
+        "riding": [],  # empty: the key stays for one version
         "warnings": list(prepared.warnings),
         "notices": [notice.as_json() for notice in prepared.notices],
     }

@@ -109,7 +109,7 @@ def compare(
         If the pair cannot be matched or meshed, or holds no filled shapes that are matched.
     """
     method, folds = options.get("method", "projective"), options.get("folds", "prevent")
-    # What rides on another's plane has no mesh that a method could move alone.
+    # What moves with another's mesh has no mesh that a method could move alone.
     options = {"together": False, **options}
     try:
         found = morph(a, b, observe=observe, **options)

@@ -10,7 +10,7 @@ from shapetween.geometry.bezier import flatten
 
 __all__ = ["LOOKED", "crossing_frames", "simple_frames"]
 
-#: Times at which rings that only ride are looked at. More are dear where there are hundreds.
+#: Times at which rings that are only attached are checked. More are dear where there are hundreds.
 LOOKED = np.linspace(0, 1, 11)[1:-1]
 
 #: Chords of a curve of such a ring.

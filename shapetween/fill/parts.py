@@ -1,4 +1,4 @@
-"""A filled shape through the movement: bodies that move by themselves, and what rides on them."""
+"""A filled shape through the movement: bodies that move by themselves, and what is attached."""
 
 from dataclasses import dataclass
 
@@ -51,7 +51,7 @@ class FilledPart:
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        # Solving a plane's motion costs most: once for its body and all that ride on it.
+        # Solving a motion costs most: once for its body and all that is bound to it.
         solved = {id(body): body.path.vertices(t) for body in self.bodies}
         drawn = [body.nodes.curves(solved[id(body)], t) for body in self.bodies]
         return np.concatenate([*drawn, *self._attached(t, solved)], axis=1)
