@@ -12,6 +12,7 @@ import pytest
 
 import shapetween as st
 from tests.browser import chromium
+from tests.cli.commands import svg
 from tests.studio.conftest import INPUTS, Client
 
 pytestmark = pytest.mark.browser
@@ -388,6 +389,35 @@ def test_another_matching_is_one_click(studio: Studio) -> None:
     studio.rest()
     assert len(studio.pins()) == 4
     assert "--matching" not in studio.text("#command")
+
+
+def test_parts_are_paired_by_clicking(studio: Studio, tmp_path: Path) -> None:
+    for name, shift in (("one.svg", 0), ("two.svg", 2)):
+        left, right = f"M{1 + shift} 1h6v6h-6Z", f"M{11 + shift} 9l5 8h-5Z"
+        text = svg(f'<path d="{left}"/><path fill="#f00" d="{right}"/>', "0 0 20 20")
+        (tmp_path / name).write_text(text, "utf-8")
+    studio.client.server.session.open_paths([tmp_path / "one.svg", tmp_path / "two.svg"])
+    studio.page.evaluate("sessionStorage.removeItem('shapetween-work')")
+    studio.page.reload()
+    studio.rest()
+    studio.page.click("#mode-parts")
+    labels = studio.page.evaluate(
+        "[...document.querySelectorAll('#a .part')].map((p) => p.getAttribute('aria-label'))"
+    )
+    assert len(labels) == 2
+    assert all("becomes #" in label for label in labels)
+    own = labels[0].rsplit("#", 1)[1]
+    other = "2" if own == "1" else "1"
+    studio.page.focus("[data-part='a1']")
+    studio.page.keyboard.press("Enter")
+    studio.page.focus(f"[data-part='b{other}']")
+    studio.page.keyboard.press("Enter")
+    studio.rest()
+    assert f"--match '#1:#{other}'" in studio.text("#command")
+    assert studio.page.locator("#part-list tbody tr").count() == 1
+    studio.page.click("[aria-label='Remove pair 1']")
+    studio.rest()
+    assert "--match" not in studio.text("#command")
 
 
 def test_a_chain_has_legs_with_pins_of_their_own(studio: Studio) -> None:
