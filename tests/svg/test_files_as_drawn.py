@@ -32,6 +32,13 @@ def test_there_are_files() -> None:
     assert len(NAMES) > 20
 
 
+def sizeless(text: str) -> str:
+    """A document without the size of its page, so that it is drawn as large as its frame."""
+    return re.sub(
+        r"<svg[^>]*>", lambda m: re.sub(r" (?:width|height)=\S+?\"", "", m[0]), text, count=1
+    )
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_ends_are_drawn_as_the_files_are(name: str, browser: Browser) -> None:
     files = [FILES / f"{name}-{side}.svg" for side in "ab"]
@@ -39,10 +46,9 @@ def test_ends_are_drawn_as_the_files_are(name: str, browser: Browser) -> None:
     if name in TOLD:
         assert any(TOLD[name] in warning for warning in moved.warnings)
         return
-    # The page's size is taken away: all are drawn as large as their frame.
-    texts = [re.sub(r"^(<svg[^>]*?)( width=\S+ height=\S+)", r"\1", p.read_text()) for p in files]
     movement = moved.svg(duration=2.0)
-    documents = [*texts, *map(frame_svg, moved.frames(2)), movement, movement]
+    texts = [*(path.read_text() for path in files), *map(frame_svg, moved.frames(2))]
+    documents = [sizeless(text) for text in (*texts, movement, movement)]
     a, b, first, last, start, end = browser.pictures(documents, [0, 0, 0, 0, 0, 2])
     assert difference(a, first) <= NEAR
     assert difference(b, last) <= NEAR

@@ -11,7 +11,7 @@ from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.pathdata import PathData
 from shapetween.svg.read.queries import Medium
 from shapetween.svg.read.style import ANIMATED, Cascade, Properties
-from shapetween.svg.read.units import Viewport
+from shapetween.svg.read.units import GREATEST, Viewport
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
 
@@ -91,6 +91,8 @@ class Document:
         Boxes around what elements draw in viewports, in their own coordinates.
     shown : Box
         What is shown of the drawing, in the units of its root.
+    reach : float
+        How far from the origin anything is drawn, in user units.
     textures : int
         How many textures were made so far.
     definitions : str or None
@@ -140,6 +142,7 @@ class Document:
         self.geometry: dict[tuple[Element, Viewport], PathData] = {}
         self.boxes: dict[tuple[Element, Viewport], Box | None] = {}
         self.shown = Box(0.0, 0.0, 0.0, 0.0)
+        self.reach = GREATEST
         self._parents: dict[Element, Element] | None = None
         self._styles: dict[Element, Properties] = {}
 

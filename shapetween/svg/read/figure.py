@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -136,9 +137,18 @@ def rings_of(
             dots=stroke is not None and stroke.cap != "butt",
             width=stroke.width if stroke is not None else 1.0,
         )
-        for subpath in in_range(document, placed_paths)
+        for subpath in map(partial(_within, document.reach), in_range(document, placed_paths))
     )
     return tuple(ring for ring in rings if ring is not None)
+
+
+def _within(reach: float, subpath: Subpath) -> Subpath:
+    """A subpath that comes no farther than that from the origin, unless all of it is out there."""
+    away = np.abs(subpath.curves).max(axis=-1)
+    if away.max(initial=0.0) <= reach or away.min() > reach:
+        return subpath
+    curves, start = (np.clip(points, -reach, reach) for points in (subpath.curves, subpath.start))
+    return Subpath(curves, start, subpath.closed)
 
 
 def _stroke_first(placed: Placed) -> bool:

@@ -30,6 +30,10 @@ __all__ = ["read_svg"]
 #: What percentages are of in a document without any size: the size browsers give such an object.
 DEFAULT_SIZE = (300.0, 150.0)
 
+#: How far anything is drawn, in sizes of what is shown. Farther and browsers, which count in single
+#: precision, lose what is near; nearer and curves that run out of the page would show it.
+FAR = 1e4
+
 
 #: Attributes of the root that are kept: its size, and what it is to the page.
 IN_PAGE = frozenset({"width", "height", "preserveAspectRatio", "class", "role"})
@@ -99,6 +103,8 @@ def _read(
     width, height = (seen.width, seen.height) if seen else DEFAULT_SIZE
     pixel = view_box.width / page.width if view_box and page else 1 / unit
     document.shown = Box(seen.x, seen.y, width, height) if seen else Box(0.0, 0.0, width, height)
+    if seen:
+        document.reach = FAR * max(abs(seen.x), abs(seen.y), width, height)
     written = affine(1 / unit, 0, 0, 1 / unit, 0, 0)
     frame = Frame(written, {}, Viewport(width, height), pixel)
     if seen and not view_box:

@@ -580,3 +580,10 @@ def test_the_background_of_the_root_is_a_sheet(
     red, green, blue = (part / 255 for part in colour)
     assert sheet.style.fill == Colour(red, green, blue)
     assert sheet.rings[0].box.tolist() == [[5, 6], [75, 86]]
+
+
+def test_what_runs_far_out_is_brought_near() -> None:
+    (shape,) = read('<path d="M10 90A1e-9 5 0 0 0 50 90" fill="none" stroke="red"/>').shapes
+    assert np.abs(shape.rings[0].curves).max() < 1e7
+    assert shape.rings[0].curves[0, 0].tolist() == [10, 90]
+    assert shape.rings[0].curves[-1, 3].tolist() == [50, 90]
