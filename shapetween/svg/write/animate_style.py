@@ -21,6 +21,7 @@ from shapetween.svg.write.animate import (
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import (
     ALPHA_DECIMALS,
+    LATER,
     POINT_NAMES,
     ROUND,
     GradientDefs,
@@ -64,7 +65,7 @@ def animate_style(
     path.attrib.update(style_attributes(styles[0], gradients.decimals))
 
     if track.start > 0:
-        path.set("visibility", "hidden")
+        path.attrib.update({**LATER, "visibility": "hidden"})
     shown = [track.start <= k < track.end for k in range(len(styles))]
     animate_choice(path, "visibility", clock, ["visible" if own else "hidden" for own in shown])
     animate_choice(path, "fill-rule", clock, [style.fill_rule for style in styles])

@@ -16,6 +16,7 @@ from shapetween.svg.write.numbers import decimals_for, number, path_data
 
 __all__ = [
     "ALPHA_DECIMALS",
+    "LATER",
     "POINT_NAMES",
     "ROUND",
     "GradientDefs",
@@ -41,6 +42,9 @@ ROUND = 1e-6
 
 #: What SVG calls the numbers of a gradient's points.
 POINT_NAMES = {"linear": ("x1", "y1", "x2", "y2"), "radial": ("cx", "cy", "r", "fx", "fy")}
+
+#: Attributes of what waits for its turn.
+LATER = {"class": "shapetween-later"}
 
 #: Stands for the start of a gradient's id until the text is known; no XML text can hold it.
 _PREFIX = "\0"

@@ -19,11 +19,17 @@ from shapetween.svg.write.animate import animate_shown
 from shapetween.svg.write.animate_groups import add_parts
 from shapetween.svg.write.animate_style import animate_style
 from shapetween.svg.write.clock import Clock
-from shapetween.svg.write.elements import GradientDefs, document, named, text_of
+from shapetween.svg.write.elements import LATER, GradientDefs, document, named, text_of
 from shapetween.svg.write.numbers import decimals_of
 from shapetween.svg.write.shape import shape_motion
 from shapetween.svg.write.triggers import add_triggers, trigger_of
-from shapetween.svg.write.twins import MOVING, REDUCED_MOTION, add_twins, runs_of_moving
+from shapetween.svg.write.twins import (
+    MOVING,
+    REDUCED_MOTION,
+    WAITING_RULE,
+    add_twins,
+    runs_of_moving,
+)
 from shapetween.timing import defaults
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
 from shapetween.timing.schedule import Schedule
@@ -108,6 +114,8 @@ def smil_svg(
         sheet.text = REDUCED_MOTION
     add_triggers(root, first.box, clock)
     sheet.text = (sheet.text or "") + gradients.style_sheet
+    if root.find(".//*[@class='shapetween-later']") is not None:
+        sheet.text += WAITING_RULE
     if not sheet.text:
         root.remove(sheet)
     if not len(gradients.element):
@@ -144,7 +152,7 @@ def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
     Each leg has paths of its own, for the number of its curves is its own. Without SMIL the first
     one is shown.
     """
-    group = ET.SubElement(parent, "g", {"display": "none"} if clock.leg > 0 else {})
+    group = ET.SubElement(parent, "g", {**LATER, "display": "none"} if clock.leg > 0 else {})
     animate_shown(group, clock)
     return group
 

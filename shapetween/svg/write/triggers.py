@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ET
 from shapetween.base.errors import OptionError
 from shapetween.model.drawing import Box
 from shapetween.svg.write.clock import Clock, Trigger
-from shapetween.svg.write.elements import GradientDefs
+from shapetween.svg.write.elements import LATER, GradientDefs
 from shapetween.svg.write.numbers import decimals_for, number
 
 __all__ = ["STARTS", "add_triggers", "trigger_of"]
@@ -56,7 +56,7 @@ def add_triggers(root: ET.Element, box: Box, clock: Clock) -> None:
         (trigger.back, False, (arrived[trigger.there], trigger.back)),
     ):
         name = event.rpartition(".")[0]
-        hidden = {} if first else {"visibility": "hidden"}
+        hidden = {} if first else {**LATER, "visibility": "hidden"}
         attributes = {"id": name, **sides, "fill": "none", "pointer-events": "visible", **hidden}
         rect = ET.SubElement(root, "rect", attributes)
         to = "hidden" if first else "visible"

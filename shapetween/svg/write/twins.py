@@ -12,7 +12,7 @@ from shapetween.model.drawing import Shape
 from shapetween.svg.write.elements import GradientDefs, url_of
 from shapetween.svg.write.groups import add_shapes, is_hidden
 
-__all__ = ["MOVING", "REDUCED_MOTION", "add_twins", "runs_of_moving"]
+__all__ = ["MOVING", "REDUCED_MOTION", "WAITING_RULE", "add_twins", "runs_of_moving"]
 
 #: Attributes of what moves, and of its twin. The class names are ours alone, because a page that
 #: holds the drawing shares its style sheet; and without any style sheet the twin stays hidden.
@@ -23,6 +23,12 @@ STILL = {"class": "shapetween-still", "display": "none"}
 REDUCED_MOTION = (
     "@media (prefers-reduced-motion:reduce){"
     ".shapetween-moving{display:none}.shapetween-still{display:inline}}"
+)
+
+#: The same, for what waits for its turn. It is hidden without this rule too; but an optimiser that
+#: sees none takes what is hidden for something that is never seen, and throws it away.
+WAITING_RULE = (
+    "@media (prefers-reduced-motion:reduce){.shapetween-later{display:none;visibility:hidden}}"
 )
 
 
