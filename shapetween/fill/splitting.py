@@ -62,6 +62,8 @@ def split_alike(whole: Region, parts: Sequence[Region]) -> tuple[Region, ...] | 
     chords = chords_of([whole.outer, *whole.holes])
     area = _area(chords.polylines)
     cells = _cells(area, _sites(whole, parts), sizes / sizes.sum())
+    if any(cell.is_empty or cell.geom_type != "Polygon" for cell in cells):
+        return None  # a part whose place is all its neighbours'
     pieces = []
     for cell in cells:
         edge = np.array(cell.exterior.coords)[:-1]

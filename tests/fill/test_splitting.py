@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from shapetween.fill import splitting
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
 from shapetween.model.drawing import Drawing
@@ -94,3 +95,11 @@ def test_a_cell_divides(back: bool) -> None:
     np.testing.assert_allclose(areas[:, 0], 18 * (9 - 3 * t), rtol=0.02)
     left = np.array([frame[0].box[0, 0] for frame in rings])
     np.testing.assert_allclose(left, left[0], atol=0.1)
+
+
+def test_a_part_without_a_place_of_its_own_divides_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    import shapely
+
+    cells = [shapely.Polygon(), shapely.box(0, 0, 24, 24)]
+    monkeypatch.setattr(splitting, "_cells", lambda *_: cells)
+    assert split_alike(region(12, 12, 9), two()) is None
