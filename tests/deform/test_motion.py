@@ -150,3 +150,16 @@ def test_a_motion_is_smooth() -> None:
     moved = _nodes(bowed_strip(-3.0), bowed_strip(3.0), t)
     speed = np.linalg.norm(np.diff(moved, axis=0), axis=2).max(axis=1) * 160
     assert np.abs(np.diff(speed)).max() < 0.05 * speed.max()
+
+
+def test_edges_turn_at_a_steady_pace_and_keep_near_their_length() -> None:
+    """Between what was wanted first and what fits: less of it, and edges wander; more is stiff."""
+    t = np.linspace(0, 1, 41)
+    moved = _nodes(bowed_strip(-3.0), bowed_strip(3.0), t)
+    edges = np.roll(moved, -1, axis=1) - moved
+    angle = np.unwrap(np.arctan2(edges[..., 1], edges[..., 0]), axis=0)
+    steady = (1 - t)[:, None] * angle[0] + t[:, None] * angle[-1]
+    assert 0.062 < np.abs(angle - steady).max() < 0.078
+    length = np.linalg.norm(edges, axis=2).sum(axis=1)
+    straight = (1 - t) * length[0] + t * length[-1]
+    assert 0.0405 < np.abs(length / straight - 1).max() < 0.043

@@ -234,3 +234,39 @@ def test_points_on_a_line_say_nothing_of_what_is_across() -> None:
     for image in (points, points * 2.5, points @ rotation(2.0).T):
         _, stretch = affine_between(points, image)
         assert np.linalg.cond(stretch) == pytest.approx(1)
+
+
+def _kinks(curves: Curves) -> Floats:
+    leaving, reaching = end_tangents(curves)
+    before = np.roll(reaching, 1, axis=0)
+    return np.asarray(np.abs(np.arctan2(cross(before, leaving), (before * leaving).sum(-1))))
+
+
+def _lens(kink: float) -> Outline:
+    """A disc of four arcs that meet at a little angle, in degrees."""
+    turn = np.deg2rad(90 - kink)
+    handle = 4 / 3 * np.tan(turn / 4) / np.sqrt(2) / np.sin(turn / 2) * np.sin(np.pi / 4)
+    corners = np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
+    curves = []
+    for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        chord = end - start
+        out = chord @ rotation(-turn / 2).T
+        into = chord @ rotation(turn / 2).T
+        scale = handle / np.linalg.norm(chord) * np.sqrt(2)
+        curves.append([start, start + out * scale / 2, end - into * scale / 2, end])
+    return Outline(np.array(curves))
+
+
+@pytest.mark.parametrize(("kink", "smooth"), [(15.0, True), (30.0, False)])
+def test_joints_that_all_but_run_on_are_kept_so_and_corners_are_left(
+    kink: float, smooth: bool
+) -> None:
+    """Nodes that bend the outline at its joints leave what was smooth as smooth as it was."""
+    lens = _lens(kink)
+    assert np.rad2deg(_kinks(lens.curves)) == pytest.approx(np.full(4, kink), abs=1e-6)
+    carrier, a, *_ = prepared(lens, lens, 4)
+    nodes = a.copy()
+    nodes[::2] *= 0.5  # as a diamond
+    (found,) = carrier.curves(nodes[None], np.array([0.5]))
+    kept = np.rad2deg(_kinks(found))
+    assert (np.abs(kept - kink) < 1.0).all() == smooth
