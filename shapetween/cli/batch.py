@@ -28,6 +28,7 @@ _ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 #: Options of `morph` that are not those of a row, or are for moving pictures; batches write SVG.
 _NOT_A_ROW = frozenset(
     {"out", "mesh", "report", "font", "quiet", "verbose", "fps", "size", "background", "css"}
+    | {"loose", "strict"}  # flags have no value that a cell could hold
 )
 _ROW = {
     param.name or "": param
