@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from shapetween.api import Chain, Morph, chain, morph
     from shapetween.base.errors import ShapetweenError
-    from shapetween.between import between
+    from shapetween.interop import between
     from shapetween.interpolate import tween
     from shapetween.interpolate.quads import interpolate_quads
     from shapetween.mesh.pair import MeshPair
@@ -38,7 +38,7 @@ _HOMES = {
     "MeshPair": "shapetween.mesh.pair",
     "Morph": "shapetween.api",
     "ShapetweenError": "shapetween.base.errors",
-    "between": "shapetween.between",
+    "between": "shapetween.interop",
     "chain": "shapetween.api",
     "interpolate_quads": "shapetween.interpolate.quads",
     "morph": "shapetween.api",

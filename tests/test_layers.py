@@ -66,7 +66,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("formats", "pipeline"),
     ("report",),
     ("api",),
-    ("batch", "between", "compare", "notebook", "photo"),
+    ("batch", "interop", "compare", "notebook", "photo"),
     ("__init__", "studio", "truth"),
     ("cli",),
     ("__main__",),

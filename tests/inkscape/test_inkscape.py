@@ -156,8 +156,10 @@ def test_what_cannot_be_done_is_said(
 
 @inkex
 @pytest.mark.skipif(
-    shutil.which("xvfb-run") is None or shutil.which("inkscape") is None,
-    reason="no Inkscape that can be shown on this machine",
+    "SHAPETWEEN_INKSCAPE" not in os.environ
+    or shutil.which("xvfb-run") is None
+    or shutil.which("inkscape") is None,
+    reason="starts the whole of Inkscape; set SHAPETWEEN_INKSCAPE where it and xvfb-run are there",
 )
 def test_inkscape_itself_runs_it(drawing: Path, tmp_path: Path) -> None:
     """The whole program: it lists the extension, and runs it on what is selected."""

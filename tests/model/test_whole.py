@@ -125,7 +125,8 @@ def test_gradients_come_into_the_frame_with_their_drawing() -> None:
 
 
 def test_a_gradient_shrinks_with_a_shape_that_leaves() -> None:
-    here, away = drawing(EL, Style(ACROSS)).shapes[0], drawing(EL + 12, Style()).shapes[0]
+    body = np.array([[0.0, 0.0], [6.0, 0.0], [7.0, 4.0], [3.0, 5.0], [-1.0, 4.0]])  # no stroke
+    here, away = drawing(body, Style(ACROSS)).shapes[0], drawing(body + 12, Style()).shapes[0]
     both = Drawing((here, Shape(away.rings, away.style, "other")), BOX)
     movement = prepare(both, Drawing((both.shapes[1],), BOX)).movement
     first, drawn = (drawing.shapes[0] for drawing in movement.at(np.array([0.0, 0.2])))

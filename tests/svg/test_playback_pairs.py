@@ -71,8 +71,8 @@ REAL = (
     "dev-styled-06",
     "dev-styled-08",
     "dev-styled-13",
-    "dev-strokes-04",
-    "dev-strokes-10",
+    "icons-01",
+    "icons-09",
     "dev-multipart-08",
 )
 

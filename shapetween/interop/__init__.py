@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from shapetween.api import Morph, Pin, morph
 from shapetween.base.arrays import Affine, Floats
 from shapetween.base.errors import OptionError
-from shapetween.between.kinds import Kind, kind_of
+from shapetween.interop.kinds import Kind, kind_of
 from shapetween.model.drawing import Drawing
 
 __all__ = ["Between", "between"]

@@ -9,7 +9,7 @@ import shapely
 
 import shapetween as st
 from shapetween.base.errors import InputError, OptionError, ShapetweenError
-from shapetween.between import between
+from shapetween.interop import between
 
 INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
 
@@ -92,7 +92,7 @@ class MplPath:
 
 
 def test_codes_of_matplotlib_are_understood() -> None:
-    from shapetween.between.kinds import kind_of
+    from shapetween.interop.kinds import kind_of
 
     path = MplPath([[0, 0], [4, 0], [6, 2], [4, 4], [2, 6], [0, 4], [0, 2], [0, 0]],
                    [1, 2, 3, 3, 4, 4, 4, 79])  # fmt: skip
