@@ -100,8 +100,8 @@ BACKGROUND = click.option(
     type=Name("load", "click", "hover", "seen", "scroll", "drag"),
     default="load",
     show_default=True,
-    help="What sets it going, in .mjs: the page, a click and back on the next, a pointer over it, "
-    "being seen, being scrolled past, or being dragged across.",
+    help="What sets it going: the page, a click and back on the next, or a pointer over it; in "
+    ".mjs and .html also being seen, being scrolled past, or being dragged across.",
 )
 @click.option(
     "--css",

@@ -128,9 +128,8 @@ _FILM = (*_TIMING, "fps", "size", "background")
 def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
-    yield Writer(
-        ".svg", "an animated SVG", svg, (*_TIMING, "easing_over", "keyframes", "precision")
-    )
+    options = (*_TIMING, "easing_over", "keyframes", "precision", "start")
+    yield Writer(".svg", "an animated SVG", svg, options)
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)

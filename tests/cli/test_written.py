@@ -34,3 +34,14 @@ def test_python_writes_what_the_command_line_does(
     assert told == ()
     here, there = (tmp_path / name / f"out{ending}" for name in ("python", "line"))
     assert here.read_bytes() == there.read_bytes()
+
+
+def test_an_svg_waits_for_what_it_is_told_to(run: Command, tmp_path: Path) -> None:
+    result = run("morph a.svg b.svg -o out.svg --start click --folds allow")
+    assert result.code == 0
+    assert "<img>" in result.err
+    assert "click" in (tmp_path / "out.svg").read_text("utf-8")
+    refused = run("morph a.svg b.svg -o seen.svg --start seen --folds allow")
+    assert refused.code == 2
+    assert len(refused.err.splitlines()) == 1
+    assert not refused.made
