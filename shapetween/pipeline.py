@@ -26,7 +26,7 @@ from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
-from shapetween.scene.motion.choose import SAME, clockwise, is_blob
+from shapetween.scene.motion.choose import SAME, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.movement import SceneMovement, move_scene
@@ -252,7 +252,7 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
         return False
     if is_blob(one) and is_blob(other) and register(one.outer, other.outer) is None:
         return False
-    places = [Places(clockwise(item.outer)) for item in (one, other)]
+    places = [Places(item.outer.clockwise()) for item in (one, other)]
     return anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is None
 
 

@@ -15,14 +15,9 @@ Kind: TypeAlias = Literal[
     "details-touch",
     "coarse",
     "bare-mesh",
-    "apart",
     "too-many-pieces",
     "too-many-holes",
-    "hole-lost",
-    "carrier-lost",
-    "no-effect",
     "facing",
-    "unmatched",
     "other",
 ]
 """What a notice is about.
@@ -31,10 +26,8 @@ file: something in the file cannot be carried. outlined-anew: an outline crosses
 replaced by what it shows. uncertain: matched with little certainty. other-matching: not the best
 matching was taken. crossing, details-touch: outlines or small details of them cross on the way.
 coarse: matched or moved by a simplified outline. bare-mesh: nothing keeps the outline from folding.
-apart: pieces that could not be kept from passing through each other. too-many-pieces,
-too-many-holes: some are moved more simply. hole-lost: a hole that has no area comes and goes.
-carrier-lost: the drawing moves by scaling alone. no-effect: an option changes nothing.
-facing: the drawings seem to face opposite ways. unmatched: something comes or goes alone.
+too-many-pieces, too-many-holes: some are moved more simply. facing: the drawings seem to face
+opposite ways.
 """
 
 

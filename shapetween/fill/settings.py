@@ -60,10 +60,6 @@ class FillSettings:
         self.used_choice = self.choice > 1
         return self.choice
 
-    def has_mesh(self, name: str) -> bool:
-        """Whether a mesh was given for the shape of that very name."""
-        return bool(name) and any(name == known for known, _ in self.meshes)
-
     def mesh_for(self, name: str) -> MeshPair | None:
         """The next mesh given for pieces of a shape, in the order they are written in."""
         free = [k for k in range(len(self.meshes)) if k not in self.used_meshes]

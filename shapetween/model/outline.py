@@ -64,6 +64,10 @@ class Outline:
         """The same curve run the other way, from the same start if it is closed."""
         return Outline(self.curves[::-1, ::-1], self.closed)
 
+    def clockwise(self) -> "Outline":
+        """The same outline, run clockwise as drawn if it is closed."""
+        return self.reversed() if self.closed and self.area < 0 else self
+
     def transformed(self, matrix: Affine) -> "Outline":
         """Every control point mapped by an affine map, (2, 3)."""
         return Outline(mapped(self.curves, matrix), self.closed)

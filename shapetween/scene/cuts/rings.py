@@ -9,7 +9,6 @@ from shapetween.fill.splitting import split_alike
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import families
 from shapetween.scene.cuts.division import Division, Found, piece_of
-from shapetween.scene.motion.choose import clockwise
 from shapetween.scene.places import Places, run_of
 from shapetween.scene.relations import Scene
 
@@ -28,8 +27,8 @@ def divided_rings(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
         if len(pieces) != 2:
             continue
         item = whole.items[k]
-        ring = clockwise(item.outer)
-        regions = [Region(clockwise(parts.items[j].outer)) for j in pieces]
+        ring = item.outer.clockwise()
+        regions = [Region(parts.items[j].outer.clockwise()) for j in pieces]
         cells = split_alike(Region(ring), regions)
         if cells is None:
             continue

@@ -8,8 +8,8 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.outline import Outline
-from shapetween.scene.motion.tracks import Track
-from shapetween.scene.places import Pieces, Places
+from shapetween.scene.motion.tracks import OfPieces, Track
+from shapetween.scene.places import Places
 
 __all__ = ["Carried", "Tie", "Tied"]
 
@@ -18,7 +18,7 @@ NEAR = 0.004
 
 
 @dataclass(frozen=True, eq=False)
-class Carried:
+class Carried(OfPieces):
     """A line that keeps to the outline that it runs along, at both ends of the movement.
 
     Attributes
@@ -31,19 +31,8 @@ class Carried:
         Of the drawing.
     """
 
-    pieces: Pieces
     host: Track
     scale: float
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """It is one ring."""
-        return (len(self.pieces.source),)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """As its pieces are."""
-        return (self.pieces.closed,)
 
     @cached_property
     def _weights(self) -> tuple[Floats, Floats]:

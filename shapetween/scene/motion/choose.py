@@ -28,7 +28,7 @@ from shapetween.scene.motion.knots import (
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["SAME", "Ends", "clockwise", "elastic", "is_blob", "tracks_of"]
+__all__ = ["SAME", "Ends", "elastic", "is_blob", "tracks_of"]
 
 #: Residual of a line's best similarity, as shares: what a turn must leave at most, what part of the
 #: residual without one, and what that must be at least, for a line to turn on its way.
@@ -138,16 +138,11 @@ def _blend(pieces: Pieces, first: Item, second: Item, turn: float) -> Blend:
     return Blend(pieces, np.stack([first.centre, second.centre]), turn)
 
 
-def clockwise(ring: Outline) -> Outline:
-    """A closed outline run clockwise as drawn."""
-    return ring.reversed() if ring.closed and ring.area < 0 else ring
-
-
 def _closed(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
     first, second = ends.first, ends.second
-    places = Places(clockwise(first.outer)), Places(clockwise(second.outer))
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     one, other = ends.forms
     if isinstance(one, RoundedBox) and isinstance(other, RoundedBox):
         outer = box_blend(one, other, *places)
@@ -191,7 +186,7 @@ def elastic(
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
     """The track of a pair of areas by the outline engine."""
     shapes = [
-        item.replaced((clockwise(item.outer), *item.holes)).as_shape
+        item.replaced((item.outer.clockwise(), *item.holes)).as_shape
         for item in (ends.first, ends.second)
     ]
     part, said = morph_fill(shapes[0], shapes[1], settings, names, alone=False)

@@ -4,7 +4,6 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
-from shapetween.model.outline import Outline
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.boxes import box_blend
@@ -95,15 +94,11 @@ def _only_round(holes: list[Item]) -> int | None:
 
 
 def _matched(one: Item, other: Item) -> Pieces:
-    places = Places(_clockwise(one.outer)), Places(_clockwise(other.outer))
+    places = Places(one.outer.clockwise()), Places(other.outer.clockwise())
     forms = form_of(one), form_of(other)
     if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):
         return box_blend(forms[0], forms[1], *places).pieces
     return cut_alike(*places, *ring_knots(*places))
-
-
-def _clockwise(ring: Outline) -> Outline:
-    return ring if ring.area > 0 else ring.reversed()
 
 
 def _in_frame(pieces: Pieces, outer: Blend) -> Blend:

@@ -3,7 +3,6 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats, Points
-from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
 from shapetween.scene.motion.knots import along_knots, ring_knots
 from shapetween.scene.places import Pieces, Places, cut_alike
@@ -40,7 +39,7 @@ def _nearest(scene: Scene, point: Points) -> int | None:
 
 def pinned_pieces(first: Item, second: Item, pins: Points) -> Pieces:
     """Outer rings or lines cut alike so that pins (K, 4) become each other."""
-    source, target = Places(_clockwise(first)), Places(_clockwise(second))
+    source, target = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     pu, pv = source.nearest(pins[:, :2]), target.nearest(pins[:, 2:])
     if first.closed and second.closed:
         u, v = ring_knots(source, target)
@@ -68,11 +67,6 @@ def pinned_pieces(first: Item, second: Item, pins: Points) -> Pieces:
     even = np.array([0.0, 1.0])
     pieces = cut_alike(run, line, even, even)
     return pieces if first.closed else Pieces(pieces.target, pieces.source, False)
-
-
-def _clockwise(item: Item) -> Outline:
-    ring = item.outer
-    return ring.reversed() if ring.closed and ring.area < 0 else ring
 
 
 def _through(

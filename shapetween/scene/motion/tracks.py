@@ -13,7 +13,7 @@ from shapetween.geometry.rotation import rotations
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "Shared", "Track"]
+__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "OfPieces", "Shared", "Track"]
 
 
 class Track(Protocol):
@@ -32,7 +32,24 @@ class Track(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Blend:
+class OfPieces:
+    """One ring or line made of pieces that become each other."""
+
+    pieces: Pieces
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one ring."""
+        return (len(self.pieces.source),)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As its pieces are."""
+        return (self.pieces.closed,)
+
+
+@dataclass(frozen=True, eq=False)
+class Blend(OfPieces):
     """One ring or line whose curves go straight to their counterparts, in a frame that turns.
 
     Attributes
@@ -50,19 +67,8 @@ class Blend:
     Of two rounded boxes, cut where sides and corners meet, it blends sides and radii evenly.
     """
 
-    pieces: Pieces
     centres: Points
     turn: float = 0.0
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """It is one ring."""
-        return (len(self.pieces.source),)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """As its pieces are."""
-        return (self.pieces.closed,)
 
     @cached_property
     def _joints(self) -> Joints:
