@@ -21,16 +21,14 @@ from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, Flip, fit_matrix
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
 from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.motion.choose import SAME, is_blob
 from shapetween.scene.motion.knots import anchored_knots
-from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.movement import SceneMovement, move_scene
-from shapetween.scene.parts import PairPart
 from shapetween.scene.places import Places
 from shapetween.scene.strokes import as_lines
 
@@ -120,29 +118,20 @@ class Prepared:
         What was lost, is doubtful, or was done another way.
     scene : SceneMovement or None
         How the drawings' parts were seen and paired; None of single areas.
+    filled : tuple of FilledPart
+        What of the parts the outline engine moves by meshes, in paint order.
     """
 
     movement: Movement
     fit: Affine
     notices: tuple[Notice, ...]
+    filled: tuple[FilledPart, ...]
     scene: SceneMovement | None = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What there is to warn of, one line each."""
         return tuple(str(notice) for notice in self.notices if notice.severity == "warning")
-
-    @property
-    def filled(self) -> tuple[FilledPart, ...]:
-        """What has meshes of its own."""
-        own: list[FilledPart] = []
-        for part in self.movement.parts:
-            if isinstance(part, FilledPart):
-                own.append(part)
-            elif isinstance(part, PairPart) and part.frame is None:
-                tracks = [getattr(track, "track", track) for track in part.tracks]
-                own += [track.part for track in tracks if isinstance(track, Elastic)]
-        return tuple(own)
 
     @property
     def meshed(self) -> tuple[FilledPart, ...]:
@@ -196,15 +185,16 @@ def prepare(
     ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
     asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins)
-    parts, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
+    areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said
     settings.check_used()
     if chosen.folds == "prevent":
         with observe("move"):
-            notices += _of_attached(parts)
+            notices += _of_attached(areas)
     title = " to ".join(t for t in (source.title, target.title) if t)
-    movement = Movement(parts, source.box, title, source.page)
-    return Prepared(movement, matrix, distinct(notices), scene)
+    movement = Movement(areas if scene is None else scene.parts, source.box, title, source.page)
+    filled = areas if scene is None else scene.areas
+    return Prepared(movement, matrix, distinct(notices), filled, scene)
 
 
 def _moved(
@@ -214,8 +204,8 @@ def _moved(
     asked: Asked,
     settings: FillSettings,
     names: tuple[str, str],
-) -> tuple[tuple[Part, ...], tuple[Notice, ...], SceneMovement | None]:
-    """All parts: a single area that becomes another by the outline engine, else a scene's."""
+) -> tuple[tuple[FilledPart, ...], tuple[Notice, ...], SceneMovement | None]:
+    """A single area that becomes another by the outline engine, or else a scene."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
     one, other = joined_lines(one), joined_lines(other)
@@ -227,7 +217,7 @@ def _moved(
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
         return (part,), told, None
     scene = move_scene(one, other, boxes, asked, settings, names)
-    return scene.parts, (*said, *more, *scene.notices), scene
+    return (), (*said, *more, *scene.notices), scene
 
 
 def _two_outlines(one: Sequence[Item], other: Sequence[Item]) -> bool:
@@ -260,14 +250,12 @@ def _closed(shape: Shape) -> Shape:
     return replace(shape, rings=tuple(ring.close() for ring in shape.rings))
 
 
-def _of_attached(parts: tuple[Part, ...]) -> list[Notice]:
+def _of_attached(areas: tuple[FilledPart, ...]) -> list[Notice]:
     """What to tell of shapes in which something attached crosses itself on the way."""
-    crossing = sum(
-        bool(part.crossing(LOOKED).any()) for part in parts if isinstance(part, FilledPart)
-    )
+    crossing = sum(bool(area.crossing(LOOKED).any()) for area in areas)
     if not crossing:
         return []
-    among = f"{crossing} of {len(parts)} shapes" if len(parts) > 1 else "the shape"
+    among = f"{crossing} of {len(areas)} shapes" if len(areas) > 1 else "the shape"
     return [Notice("crossing", f"in {among}, attached parts cross themselves on the way")]
 
 

@@ -99,18 +99,18 @@ def morph_fill(
         )
     corners = _shared_corners([i for i, _ in meshed], before)
     lone = alone and len(before) == len(after) == 1
-    for i, j in meshed:
-        mesh = settings.mesh_for(name)
+    given = settings.given_to(name, [(before[i], after[j]) for i, j in meshed], lone=lone)
+    for (i, j), own in zip(meshed, given, strict=True):
         outer = match_outer(
             before[i].outer,
             after[j].outer,
             quads=settings.quads,
-            pins=settings.pins_for(before[i], after[j]),
-            mesh=mesh,
+            pins=own.pins,
+            mesh=own.mesh,
             upright=not alone or len(pairing.pairs) > 1,
             observe=settings.observe,
             corners=corners[i],
-            choice=settings.take_choice() if lone and mesh is None else 1,
+            choice=own.choice,
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
@@ -124,14 +124,15 @@ def morph_fill(
                     else "look at the matching with 'shapetween mesh' and correct it with --pin",
                 )
             )
-        if lone and not settings.settled and outer.pair is not None:
+        if lone and not own.settles and outer.pair is not None:
             notices += _of_facing(outer)
         holes, others = _matched_holes(before[i], after[j], outer, settings)
         notices += _of_limits(before[i], after[j], name)
         unmatched += [(Region(hole), end, len(bodies)) for hole, end in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
-        carried, holder = _moved(bodies, settings, touching=divided is not None)
+        settled = any(own.settles for own in given)
+        carried, holder = _moved(bodies, settings, settled, touching=divided is not None)
         grounds = [Ground.of(body) for body in carried]
         appearing = [
             AppearingRegion.of(region.outer, (), end, grounds[holder[body]], is_hole=True)
@@ -323,7 +324,7 @@ def _matched_holes(
 
 
 def _moved(
-    bodies: list[list[RingMatch]], settings: FillSettings, *, touching: bool
+    bodies: list[list[RingMatch]], settings: FillSettings, settled: bool, *, touching: bool
 ) -> tuple[list[Carried], list[int]]:
     """Movements of all bodies, and which of them each body is in.
 
@@ -346,7 +347,7 @@ def _moved(
             settings.quads,
             settings.observe,
             rough=curves > MANY_CURVES,
-            settled=rings[0].found == "given" or settings.settled,
+            settled=rings[0].found == "given" or settled,
         )
         for rings in bodies
     ]

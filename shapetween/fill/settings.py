@@ -12,15 +12,54 @@ from shapetween.fill.regions import Region
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.arclength import ArcLength
 
-__all__ = ["FillSettings"]
+__all__ = ["Claimed", "FillSettings", "Given"]
 
 #: Distance of a pin from the pieces it may belong to, as a share of their size.
 PIN_REACH = 0.05
 
 
 @dataclass(slots=True, eq=False)
+class Claimed:
+    """Which of what the user asked for has found its place.
+
+    Attributes
+    ----------
+    pins, meshes : set of int
+        By their order.
+    choice : bool
+        Whether there are two outlines whose matchings can be chosen from.
+    """
+
+    pins: set[int] = field(default_factory=set)
+    meshes: set[int] = field(default_factory=set)
+    choice: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Given:
+    """What the user asked of two pieces that become each other.
+
+    Attributes
+    ----------
+    pins : (K, 4) float64
+    mesh : MeshPair or None
+    choice : int
+        Which of their distinct matchings to take, the best one being 1.
+    """
+
+    pins: Points
+    mesh: MeshPair | None
+    choice: int
+
+    @property
+    def settles(self) -> bool:
+        """Whether it says what becomes what on their outlines."""
+        return len(self.pins) > 0 or self.choice > 1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class FillSettings:
-    """What the user asked of all filled shapes, and which of it has found its place.
+    """What the user asked of all filled shapes.
 
     Attributes
     ----------
@@ -36,6 +75,8 @@ class FillSettings:
         Whether every area moves by a mesh of its own, whatever simpler way there is.
     choice : int
         Which of the distinct matchings of two outlines to take, the best one being 1.
+    claimed : Claimed
+        What of it has found its place.
     """
 
     method: str
@@ -46,55 +87,64 @@ class FillSettings:
     observe: Observer
     meshed: bool = False
     choice: int = 1
-    used_pins: set[int] = field(default_factory=set)
-    used_meshes: set[int] = field(default_factory=set)
-    used_choice: bool = False
+    claimed: Claimed = field(default_factory=Claimed)
 
-    @property
-    def settled(self) -> bool:
-        """Whether the user said what becomes what on an outline."""
-        return len(self.used_pins) > 0 or self.used_choice
+    def given_to(
+        self, name: str, pairs: Sequence[tuple[Region, Region]], *, lone: bool
+    ) -> list[Given]:
+        """What is for each pair of pieces of a shape, which nothing else gets then.
 
-    def take_choice(self) -> int:
-        """The choice, by the two outlines that it is for."""
-        self.used_choice = self.choice > 1
-        return self.choice
+        Parameters
+        ----------
+        name : str
+            The shape's.
+        pairs : sequence of (Region, Region)
+        lone : bool
+            Whether they are two outlines and nothing else, whose matchings can be chosen from.
+        """
+        found = []
+        for first, second in pairs:
+            mesh = self._mesh_for(name)
+            choice = self.choice if lone and mesh is None else 1
+            self.claimed.choice |= choice > 1
+            found.append(Given(self._pins_for(first, second), mesh, choice))
+        return found
 
-    def mesh_for(self, name: str) -> MeshPair | None:
+    def _mesh_for(self, name: str) -> MeshPair | None:
         """The next mesh given for pieces of a shape, in the order they are written in."""
-        free = [k for k in range(len(self.meshes)) if k not in self.used_meshes]
+        free = [k for k in range(len(self.meshes)) if k not in self.claimed.meshes]
         mine = [k for k in free if self.meshes[k][0] == name]
         mine = mine or [k for k in free if not self.meshes[k][0]]
         if not mine:
             return None
-        self.used_meshes.add(mine[0])
+        self.claimed.meshes.add(mine[0])
         return self.meshes[mine[0]][1]
 
-    def pins_for(self, first: Region, second: Region) -> Points:
+    def _pins_for(self, first: Region, second: Region) -> Points:
         """Pins that lie on these two pieces, (K, 4)."""
         mine = []
         for k, pin in enumerate(self.pins):
             near = [_near(region, point) for region, point in ((first, pin[:2]), (second, pin[2:]))]
-            if k not in self.used_pins and all(near):
+            if k not in self.claimed.pins and all(near):
                 mine.append(k)
-        self.used_pins.update(mine)
+        self.claimed.pins.update(mine)
         return self.pins[mine]
 
     def check_used(self) -> None:
         """Refuse what belongs to no shape."""
         for k, pin in enumerate(self.pins):
-            if k not in self.used_pins:
+            if k not in self.claimed.pins:
                 ax, ay, bx, by = pin.tolist()
                 raise OptionError(
                     f"pin {k + 1} ({ax:g},{ay:g} to {bx:g},{by:g} in the first drawing's units): "
                     "does not lie on two outlines that become each other"
                 )
-        if self.choice > 1 and not self.used_choice:
+        if self.choice > 1 and not self.claimed.choice:
             raise OptionError(
                 f"matching: {self.choice} is one of two outlines' matchings; expected drawings of "
                 "one filled outline each, without a mesh"
             )
-        unused = [name for k, (name, _) in enumerate(self.meshes) if k not in self.used_meshes]
+        unused = [name for k, (name, _) in enumerate(self.meshes) if k not in self.claimed.meshes]
         if unused:
             raise MeshError(f"mesh: there is no filled shape {unused[0]!r} to use it for")
 

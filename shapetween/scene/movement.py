@@ -11,8 +11,7 @@ from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.parts import FilledPart
-from shapetween.fill.settings import FillSettings
-from shapetween.model.movement import Part
+from shapetween.fill.settings import Claimed, FillSettings
 from shapetween.scene.asked import Asked, Change, Group
 from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import cut_alike_items
@@ -20,10 +19,10 @@ from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
 from shapetween.scene.leaving import leaving_part
 from shapetween.scene.motion.pinned import pinned_items
-from shapetween.scene.motion.tracks import Elastic, Frame, Shared, Track
+from shapetween.scene.motion.tracks import Frame, Shared, Track
 from shapetween.scene.order import Layer, layers_of
 from shapetween.scene.pairs import of_one_kind, pair_tracks
-from shapetween.scene.parts import ScenePart, joined_parts, pair_part
+from shapetween.scene.parts import PairPart, ScenePart, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.sets import paired_sets
 from shapetween.scene.strokes import as_painted
@@ -50,7 +49,7 @@ class SceneMovement:
     frame : Frame or None
     """
 
-    parts: tuple[Part, ...]
+    parts: tuple[ScenePart, ...]
     scenes: tuple[Scene, Scene]
     roles: Roles
     notices: tuple[Notice, ...]
@@ -58,18 +57,23 @@ class SceneMovement:
     settings: FillSettings
     frame: Frame | None
 
+    @property
+    def areas(self) -> tuple[FilledPart, ...]:
+        """What of the parts the outline engine moves, in paint order."""
+        pairs = (part for part in self.parts if isinstance(part, PairPart))
+        return tuple(area for part in pairs for area in part.areas)
+
     @cached_property
     def meshed(self) -> tuple[FilledPart, ...]:
         """Every pair of areas as the outline engine would move it, in the order of their roles."""
-        settings = replace(self.settings, pins=np.zeros((0, 4)), used_pins=set(), meshed=True)
+        settings = replace(self.settings, pins=np.zeros((0, 4)), claimed=Claimed(), meshed=True)
         found = []
         for k, role in enumerate(self.roles.pairs):
             one = self.scenes[0].items[role.first]
             other = self.scenes[1].items[role.second]
             if not (one.filled and other.filled):
                 continue
-            tracks = [getattr(track, "track", track) for track in self.tracks[k]]
-            own = [track.part for track in tracks if isinstance(track, Elastic)]
+            own = [area for track in self.tracks[k] for area in track.areas]
             if own and self.frame is None:
                 found += own
                 continue
@@ -127,14 +131,14 @@ def move_scene(
             role = roles.pairs[k]
             mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
             found, more = pair_tracks(k, a, b, roles, settings, names, asked.pins[mine])
-            settings.used_pins.update(mine)
+            settings.claimed.pins.update(mine)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
             said += more
         hosts = (
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
-        parts: list[Part] = []
+        parts: list[ScenePart] = []
         named: set[str] = set()
         for part in joined_parts(
             _part(layer, a, b, roles, tracks, hosts, frame, asked.change)

@@ -7,6 +7,7 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
+from shapetween.fill.parts import FilledPart
 from shapetween.geometry.bezier import curve_lengths
 from shapetween.model.blend import blend
 from shapetween.model.gradients import has_gradient
@@ -68,6 +69,13 @@ class PairPart:
     def closed(self) -> tuple[bool, ...]:
         """Which of the rings are closed."""
         return tuple(c for track in self.tracks for c in track.closed)
+
+    @property
+    def areas(self) -> tuple[FilledPart, ...]:
+        """What of it the outline engine moves by meshes; nothing where a frame carries it."""
+        if self.frame is not None:
+            return ()
+        return tuple(area for track in self.tracks for area in track.areas)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""

@@ -11,7 +11,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.paint import Gradient, Stroke, Style
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, Painted
-from shapetween.scene.motion.tracks import Frame, Track
+from shapetween.scene.motion.tracks import Frame, Meshless, Track
 from shapetween.scene.presence import LonePart
 from shapetween.scene.stroke_contour import stroke_rings
 from shapetween.scene.stroke_cuts import opened_ring, parted_ring
@@ -112,7 +112,7 @@ def _line(stroke: OutlinedStroke, item: Item) -> Item:
 
 
 @dataclass(frozen=True, eq=False)
-class StrokedTrack:
+class StrokedTrack(Meshless):
     """The outline of a stroke whose line moves.
 
     Attributes

@@ -49,7 +49,8 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph
     }
     parts = tuple(_renewed(part, fresh) for part in prepared.movement.parts)
     movement = replace(prepared.movement, parts=parts)
-    return replace(base, prepared=replace(prepared, movement=movement))
+    renewed = replace(prepared, movement=movement, filled=tuple(fresh.values()))
+    return replace(base, prepared=renewed)
 
 
 def _renewed(part: Any, fresh: dict[int, FilledPart]) -> Any:

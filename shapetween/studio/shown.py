@@ -8,7 +8,6 @@ from shapetween.api import Morph
 from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import evaluate
-from shapetween.scene.motion.tracks import Elastic
 from shapetween.scene.parts import PairPart
 
 __all__ = ["Ring", "line_rings", "shape_pairs"]
@@ -34,7 +33,7 @@ def line_rings(leg: Morph, first: Affine, second: Affine) -> list[Ring]:
     """
     found: list[Ring] = []
     for part in leg.prepared.movement.parts:
-        if not isinstance(part, PairPart) or _by_outline(part) or len(found) >= MOST_RINGS:
+        if not isinstance(part, PairPart) or part.areas or len(found) >= MOST_RINGS:
             continue
         ends = part.curves(np.array([0.0, 1.0]))
         start = 0
@@ -49,12 +48,6 @@ def line_rings(leg: Morph, first: Affine, second: Affine) -> list[Ring]:
                 found.append((part.name, False, bool(closed), a, b))
             start += count
     return found
-
-
-def _by_outline(part: PairPart) -> bool:
-    """Whether the outline engine moves it, and the correspondence holds its rings."""
-    tracks = [getattr(track, "track", track) for track in part.tracks]
-    return part.frame is None and any(isinstance(track, Elastic) for track in tracks)
 
 
 def shape_pairs(leg: Morph) -> list[dict[str, Any]]:

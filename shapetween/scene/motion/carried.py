@@ -8,7 +8,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.outline import Outline
-from shapetween.scene.motion.tracks import OfPieces, Track
+from shapetween.scene.motion.tracks import Meshless, OfPieces, Track
 from shapetween.scene.places import Places
 
 __all__ = ["Carried", "Tie", "Tied"]
@@ -104,7 +104,7 @@ def _first_ring(curves: Curves, track: Track) -> Curves:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Tied:
+class Tied(Meshless):
     """A line whose ends follow what they lie on; the pull fades to the other end.
 
     Attributes

@@ -13,7 +13,7 @@ from shapetween.geometry.rotation import rotations
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = ["Blend", "Elastic", "Frame", "Mirrored", "OfPieces", "Shared", "Track"]
+__all__ = ["Blend", "Elastic", "Frame", "Meshless", "Mirrored", "OfPieces", "Shared", "Track"]
 
 
 class Track(Protocol):
@@ -27,12 +27,27 @@ class Track(Protocol):
     def closed(self) -> tuple[bool, ...]:
         """Which of the rings are closed."""
 
+    @property
+    def areas(self) -> tuple[FilledPart, ...]:
+        """What of it the outline engine moves by meshes."""
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
 
 
+class Meshless:
+    """What moves some simpler way than by meshes."""
+
+    __slots__ = ()
+
+    @property
+    def areas(self) -> tuple[FilledPart, ...]:
+        """Nothing of it has a mesh."""
+        return ()
+
+
 @dataclass(frozen=True, eq=False)
-class OfPieces:
+class OfPieces(Meshless):
     """One ring or line made of pieces that become each other."""
 
     pieces: Pieces
@@ -116,6 +131,11 @@ class Elastic:
         """All of them."""
         return self.part.closed
 
+    @property
+    def areas(self) -> tuple[FilledPart, ...]:
+        """All of it."""
+        return (self.part,)
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         return self.part.curves(t)
@@ -172,7 +192,7 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Mirrored:
+class Mirrored(Meshless):
     """The mirror image of a track, about an axis that moves evenly.
 
     Attributes
@@ -221,7 +241,7 @@ class Shared:
 
     def __init__(self, track: Track) -> None:
         self.track = track
-        self.counts, self.closed = track.counts, track.closed
+        self.counts, self.closed, self.areas = track.counts, track.closed, track.areas
         self._known: tuple[bytes, Curves] | None = None
 
     def curves(self, t: Floats) -> Curves:
