@@ -74,9 +74,7 @@ def test_paint_of_an_animated_svg(browser: Browser, first: Style, last: Style) -
 def test_paint_of_a_module(browser: Browser, first: Style, last: Style) -> None:
     movement = sample_movement(first, last)
     text = module_text(Segments((movement,)), WriteOptions(duration=1.0))
-    assert_alike(
-        browser, module_pictures(browser, text, QUARTERS), frames_at(movement, QUARTERS)
-    )
+    assert_alike(browser, module_pictures(browser, text, QUARTERS), frames_at(movement, QUARTERS))
 
 
 @pytest.mark.parametrize("keyframes", ["auto", 25])
