@@ -24,6 +24,7 @@ from shapetween.model.drawing import Drawing
 from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement
 from shapetween.outline.correspondence import RingCorrespondence
+from shapetween.outline.preview import Effort
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.scene.asked import Change, Pairing
 from shapetween.svg.read.reader import read_svg
@@ -196,6 +197,7 @@ def morph(
     flip: Flip = "none",
     pairing: Pairing = "normal",
     change: Change | None = None,
+    effort: Effort = "full",
     pictures: bool = False,
     font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
@@ -232,6 +234,9 @@ def morph(
         How readily parts become others instead of coming and going by themselves.
     change : {"fade", "draw", "grow", "slide"}, optional
         How parts without a partner come and go; each as it lies if left out.
+    effort : {"full", "plane", "line"}
+        What goes where is the same each time; with less effort outlines take a rougher way there,
+        in a plane that nothing leads and nobody checks, or straight, found in a blink.
     pictures : bool
         Keep patterns and pictures in files, for a `shapetween.raster.film.Film` of the movement.
     font : path, optional
@@ -257,6 +262,7 @@ def morph(
         flip=flip,
         pairing=pairing,
         change=change,
+        effort=effort,
     )
     with observe("read"):
         drawings = _opened(a, pictures, font), _opened(b, pictures, font)
@@ -274,6 +280,7 @@ def chain(
     folds: Folds = "prevent",
     pairing: Pairing = "normal",
     change: Change | None = None,
+    effort: Effort = "full",
     pictures: bool = False,
     font: str | PathLike[str] | None = None,
     observe: Observer = unobserved,
@@ -285,7 +292,7 @@ def chain(
     drawings : iterable of path or Drawing
         SVG files, or drawings already read, at least two. Naming the first one again at the end
         closes the chain.
-    method, quads, folds, pairing, change, pictures, font
+    method, quads, folds, pairing, change, effort, pictures, font
         As for `shapetween.morph`, for every leg.
     pins : mapping of int to iterable of (ax, ay, bx, by), optional
         Points that belong together, by the leg, counted from 1, each in its own drawing's user
@@ -307,7 +314,13 @@ def chain(
     if len(sources) < 2:
         raise OptionError(f"chain: {len(sources)} drawings; expected two or more")
     options = Options(
-        method=method, quads=quads, fit="none", folds=folds, pairing=pairing, change=change
+        method=method,
+        quads=quads,
+        fit="none",
+        folds=folds,
+        pairing=pairing,
+        change=change,
+        effort=effort,
     )
     pinned = _pinned(pins or {}, len(sources) - 1)
     names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))

@@ -22,6 +22,7 @@ from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, Flip, fit_matrix
 from shapetween.model.movement import Movement
+from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
@@ -71,6 +72,8 @@ class Options:
         How readily parts become others instead of coming and going by themselves.
     change : {"fade", "draw", "grow", "slide"} or None
         How parts without a partner come and go; None for each as it lies.
+    effort : {"line", "plane", "full"}
+        How much is done for the way that outlines take; where they go is the same.
     """
 
     method: str = "projective"
@@ -85,6 +88,7 @@ class Options:
     flip: Flip = "none"
     pairing: Pairing = "normal"
     change: Change | None = None
+    effort: Effort = "full"
 
     def __post_init__(self) -> None:
         """Check what does not depend on the drawings."""
@@ -97,6 +101,8 @@ class Options:
             )
         if self.change is not None and self.change not in get_args(Change):
             raise OptionError(f"change: {self.change!r} is none of {', '.join(get_args(Change))}")
+        if self.effort not in get_args(Effort):
+            raise OptionError(f"effort: {self.effort!r} is none of {', '.join(get_args(Effort))}")
         if self.quads is not None and self.quads < 1:
             raise OptionError(f"quads: {self.quads} is no count; give 1 or more")
         if self.matching < 1:
@@ -176,7 +182,15 @@ def prepare(
     meshes = [(name, _in_frame(mesh, matrix)) for name, mesh in chosen.meshes]
     meshed = bool(meshes) or not chosen.together
     settings = FillSettings(
-        chosen.method, chosen.folds, chosen.quads, pins, meshes, observe, meshed, chosen.matching
+        chosen.method,
+        chosen.folds,
+        chosen.quads,
+        pins,
+        meshes,
+        observe,
+        meshed,
+        chosen.matching,
+        chosen.effort,
     )
     notices = [
         Notice("file", warning, name)
@@ -188,7 +202,7 @@ def prepare(
     areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said
     settings.check_used()
-    if chosen.folds == "prevent":
+    if chosen.folds == "prevent" and chosen.effort == "full":
         with observe("move"):
             notices += _of_attached(areas)
     title = " to ".join(t for t in (source.title, target.title) if t)

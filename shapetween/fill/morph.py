@@ -1,7 +1,10 @@
 """One filled shape becoming another: its pieces and holes matched, meshed and moved."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
+from shapetween.base.arrays import Points
 from shapetween.base.ends import End
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Kind, Notice
@@ -22,6 +25,7 @@ from shapetween.outline.alone import looked_at, moved_alone
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between
 from shapetween.outline.matching import CORNERS, match_hole, match_outer
+from shapetween.outline.preview import previewed_body
 from shapetween.outline.unfold import bare, unfolded
 
 __all__ = ["morph_fill"]
@@ -111,6 +115,7 @@ def morph_fill(
             observe=settings.observe,
             corners=corners[i],
             choice=own.choice,
+            meshed=settings.effort == "full",
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
@@ -126,7 +131,7 @@ def morph_fill(
             )
         if lone and not own.settles and outer.pair is not None:
             notices += _of_facing(outer)
-        holes, others = _matched_holes(before[i], after[j], outer, settings)
+        holes, others = _matched_holes(before[i], after[j], outer, own.holes, settings)
         notices += _of_limits(before[i], after[j], name)
         unmatched += [(Region(hole), end, len(bodies)) for hole, end in others]
         bodies.append([outer, *holes])
@@ -294,9 +299,13 @@ def _thing(region: Region) -> Thing:
 
 
 def _matched_holes(
-    first: Region, second: Region, outer: RingMatch, settings: FillSettings
+    first: Region,
+    second: Region,
+    outer: RingMatch,
+    pins: Mapping[tuple[int, int], Points],
+    settings: FillSettings,
 ) -> tuple[list[RingMatch], list[tuple[Outline, End]]]:
-    """Holes matched where the outer rings' own movement puts them, and those left over."""
+    """Holes matched by pins or where the outer rings' own movement puts them, and those left."""
     angle, stretch = affine_between(outer.samples.source, outer.samples.target)
     linear = rotations(np.asarray(angle)) @ stretch
     means = outer.samples.source.mean(axis=0), outer.samples.target.mean(axis=0)
@@ -305,18 +314,20 @@ def _matched_holes(
     grown = float(np.sqrt(np.linalg.det(linear)))
     mapped = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
     after = [_thing(Region(hole)) for hole in second.holes]
-    pairing = pair_things(mapped, after, size)
-    sizes = [-max(before[i].size, after[j].size) for i, j in pairing.pairs]
+    pairing = pair_things(mapped, after, size, fixed=list(pins))
+    sizes = [
+        -np.inf if pair in pins else -max(before[pair[0]].size, after[pair[1]].size)
+        for pair in pairing.pairs
+    ]
     order = np.argsort(sizes, kind="stable").tolist()
     chosen = sorted(pairing.pairs[k] for k in order[:MOST_HOLES])
     matched, alone = [], []
     for i, j in chosen:
+        ends = first.holes[i], second.holes[j]
         try:
-            matched.append(
-                match_hole(first.holes[i], second.holes[j], float(angle), settings.observe)
-            )
+            matched.append(match_hole(*ends, float(angle), settings.observe, pins.get((i, j))))
         except OutlineError:
-            alone += [(first.holes[i], End.SOURCE), (second.holes[j], End.TARGET)]
+            alone += [(ends[0], End.SOURCE), (ends[1], End.TARGET)]
     for side, holes in enumerate((first.holes, second.holes)):
         known = {pair[side] for pair in chosen}
         alone += [(hole, End(side)) for k, hole in enumerate(holes) if k not in known]
@@ -332,6 +343,8 @@ def _moved(
     divides, each moves in its own.
     """
     each = list(range(len(bodies)))
+    if settings.effort != "full":
+        return [previewed_body(rings, settings.effort) for rings in bodies], each
     if settings.folds == "allow":
         return [bare(rings, settings.method) for rings in bodies], each
     together = None

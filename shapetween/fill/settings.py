@@ -1,21 +1,17 @@
 """What the user asked of all filled shapes, and which of it has found its place."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-
-import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.errors import MeshError, OptionError
 from shapetween.base.observe import Observer
+from shapetween.fill.pinned import PinnedRings, pinned_rings
 from shapetween.fill.regions import Region
 from shapetween.mesh.pair import MeshPair
-from shapetween.model.arclength import ArcLength
+from shapetween.outline.preview import Effort
 
 __all__ = ["Claimed", "FillSettings", "Given"]
-
-#: Distance of a pin from the pieces it may belong to, as a share of their size.
-PIN_REACH = 0.05
 
 
 @dataclass(slots=True, eq=False)
@@ -42,18 +38,22 @@ class Given:
     Attributes
     ----------
     pins : (K, 4) float64
+        On their outer outlines.
     mesh : MeshPair or None
     choice : int
         Which of their distinct matchings to take, the best one being 1.
+    holes : mapping of (int, int) to (K, 4) float64
+        Pins on holes that become each other, by the holes.
     """
 
     pins: Points
     mesh: MeshPair | None
     choice: int
+    holes: Mapping[tuple[int, int], Points]
 
     @property
     def settles(self) -> bool:
-        """Whether it says what becomes what on their outlines."""
+        """Whether it says what becomes what on their outer outlines."""
         return len(self.pins) > 0 or self.choice > 1
 
 
@@ -75,6 +75,10 @@ class FillSettings:
         Whether every area moves by a mesh of its own, whatever simpler way there is.
     choice : int
         Which of the distinct matchings of two outlines to take, the best one being 1.
+    effort : {"line", "plane", "full"}
+        How much is done for the way that outlines take.
+    mine : frozenset of int or None
+        Which pins may lie on what is moved, others being another part's; None for any.
     claimed : Claimed
         What of it has found its place.
     """
@@ -87,6 +91,8 @@ class FillSettings:
     observe: Observer
     meshed: bool = False
     choice: int = 1
+    effort: Effort = "full"
+    mine: frozenset[int] | None = None
     claimed: Claimed = field(default_factory=Claimed)
 
     def given_to(
@@ -107,7 +113,9 @@ class FillSettings:
             mesh = self._mesh_for(name)
             choice = self.choice if lone and mesh is None else 1
             self.claimed.choice |= choice > 1
-            found.append(Given(self._pins_for(first, second), mesh, choice))
+            on = self._pinned(first, second)
+            holes = {pair: self.pins[list(rows)] for pair, rows in on.holes.items()}
+            found.append(Given(self.pins[list(on.outer)], mesh, choice, holes))
         return found
 
     def _mesh_for(self, name: str) -> MeshPair | None:
@@ -120,15 +128,14 @@ class FillSettings:
         self.claimed.meshes.add(mine[0])
         return self.meshes[mine[0]][1]
 
-    def _pins_for(self, first: Region, second: Region) -> Points:
-        """Pins that lie on these two pieces, (K, 4)."""
-        mine = []
-        for k, pin in enumerate(self.pins):
-            near = [_near(region, point) for region, point in ((first, pin[:2]), (second, pin[2:]))]
-            if k not in self.claimed.pins and all(near):
-                mine.append(k)
-        self.claimed.pins.update(mine)
-        return self.pins[mine]
+    def _pinned(self, first: Region, second: Region) -> PinnedRings:
+        """Pins that lie on these two pieces, by rings; rows are those of `pins`."""
+        free = [k for k in range(len(self.pins)) if k not in self.claimed.pins]
+        rows = [k for k in free if self.mine is None or k in self.mine]
+        rings = (first.outer, *first.holes), (second.outer, *second.holes)
+        found = pinned_rings(*rings, self.pins[rows]).of_rows(rows)
+        self.claimed.pins.update(found.rows)
+        return found
 
     def check_used(self) -> None:
         """Refuse what belongs to no shape."""
@@ -147,8 +154,3 @@ class FillSettings:
         unused = [name for k, (name, _) in enumerate(self.meshes) if k not in self.claimed.meshes]
         if unused:
             raise MeshError(f"mesh: there is no filled shape {unused[0]!r} to use it for")
-
-
-def _near(region: Region, point: Points) -> bool:
-    size = float(np.linalg.norm(np.ptp(region.outer.box, axis=0)))
-    return bool(ArcLength(region.outer).nearest(point)[1] <= PIN_REACH * size)

@@ -45,7 +45,7 @@ MOST_LOOKED = 1_500_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RingMatch:
-    """Two rings that become each other, matched, and meshed unless they are holes.
+    """Two rings that become each other, matched, and meshed unless they are holes or previewed.
 
     Attributes
     ----------
@@ -59,9 +59,11 @@ class RingMatch:
     kept : (n,) intp
         Samples that are nodes in any case, increasing; those of the mesh if there is one.
     pair : MeshPair or None
-        The first vertices are those nodes, others lie inside; None for a hole.
+        The first vertices are those nodes, others lie inside; None for a hole and in a preview.
     found : str
         How the mesh was found.
+    upright : bool
+        Whether the ring is part of something larger, and so is not turned by itself.
     """
 
     source: Outline
@@ -73,6 +75,7 @@ class RingMatch:
     kept: Index
     pair: MeshPair | None
     found: str
+    upright: bool = False
 
     @property
     def ends(self) -> tuple[Outline, Outline]:

@@ -1,10 +1,11 @@
 """Matching and meshing two rings, outers by themselves and holes along with their outers."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from shapetween.base.arrays import Points
+from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer
 from shapetween.deform.check import simple_frames
@@ -23,14 +24,15 @@ from shapetween.outline.coarse import coarse
 from shapetween.outline.detail import DetailedOutlines
 from shapetween.outline.matched import MatchedOutlines
 
-__all__ = ["CORNERS", "match_hole", "match_outer", "next_matches"]
+__all__ = ["CORNERS", "match_hole", "match_outer", "next_matches", "unmeshed", "upright_of"]
 
 #: Samples of the matched outlines that the mesh chooses its nodes from. More find better places
 #: for nodes and cost the square of it.
 SAMPLES = 512
 
-#: Samples of a hole, which has no mesh of its own.
-HOLE_SAMPLES = 256
+#: Samples of what has no mesh of its own: a hole, and any ring of a preview. With fewer, nodes miss
+#: corners; more take longer.
+BARE_SAMPLES = 256
 
 #: Chords a curve is checked with where a polygon will do.
 CHORDS = 16
@@ -55,6 +57,7 @@ def match_outer(
     observe: Observer,
     corners: int = CORNERS,
     choice: int = 1,
+    meshed: bool = True,
 ) -> RingMatch:
     """Match and mesh two outer rings.
 
@@ -77,6 +80,8 @@ def match_outer(
         Corners at most of the coarse shapes that outlines of very many curves are matched by.
     choice : int
         Which of the distinct matchings to take, the best one being 1.
+    meshed : bool
+        Whether a mesh is wanted; a preview does without.
 
     Raises
     ------
@@ -100,8 +105,13 @@ def match_outer(
         matcher = Matcher(source, target)
         matching = matcher.match(pins) if len(pins) else _chosen(matcher, choice)
         if upright:
-            matching = _upright(matching)
-    return _meshed(source, target, matching, quads, pins, observe)
+            matching = upright_of(matching)
+    if meshed:
+        found = _meshed(source, target, matching, quads, pins, observe)
+        return replace(found, upright=upright)
+    places = ArcLength(source), ArcLength(target)
+    anchors = _anchors(*places, pins)
+    return unmeshed(places, matching, anchors, samples=SAMPLES, upright=upright)
 
 
 def _chosen(matcher: Matcher, choice: int) -> Correspondence:
@@ -135,7 +145,7 @@ def _by_coarse_shapes(
             return None
         matching = _chosen(Matcher(ends[0].polygon, ends[1].polygon), choice)
         if upright:
-            matching = _upright(matching)
+            matching = upright_of(matching)
         outlines = DetailedOutlines(ends[0], ends[1], matching.u, matching.v)
         samples = outlines.samples()
         if not simple_frames(np.stack([samples.source, samples.target])).all():
@@ -151,10 +161,13 @@ def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Itera
     """The same two rings by their next best matchings, best first."""
     for matching in Matcher(ring.source, ring.target).alternatives()[1:]:
         if matching.turn == 0 or ring.matching.turn != 0:
-            yield _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
+            found = _meshed(ring.source, ring.target, matching, quads, np.zeros((0, 4)), observe)
+            yield replace(found, upright=ring.upright)
 
 
-def match_hole(source: Outline, target: Outline, turned: float, observe: Observer) -> RingMatch:
+def match_hole(
+    source: Outline, target: Outline, turned: float, observe: Observer, pins: Points | None = None
+) -> RingMatch:
     """Match two holes of rings that are matched already.
 
     Parameters
@@ -165,22 +178,62 @@ def match_hole(source: Outline, target: Outline, turned: float, observe: Observe
         Angle by which the outer rings turn, radians; a hole turns with its ring.
     observe : Observer
         Told of the stage.
+    pins : (K, 4) float64, optional
+        Rows ax, ay, bx, by of points that belong together.
+
+    Raises
+    ------
+    OptionError
+        If the pins do not follow one another alike round both.
     """
     with observe("match"):
         turn = np.column_stack([rotations(np.asarray(turned)), np.zeros(2)])
-        matching = _upright(correspond(source.transformed(turn), target))
         places = ArcLength(source), ArcLength(target)
-        outlines = MatchedOutlines(
-            *places, matching.u, matching.v, exact=matching.affine is not None
-        )
-        samples = outlines.samples(HOLE_SAMPLES)
+        anchors = _anchors(*places, np.zeros((0, 4)) if pins is None else pins)
+        matching = upright_of(correspond(source.transformed(turn), target, anchors))
+        return unmeshed(places, matching, anchors, hole=True, upright=True)
+
+
+def unmeshed(
+    places: tuple[ArcLength, ArcLength],
+    matching: Correspondence,
+    anchors: Floats,
+    *,
+    samples: int = BARE_SAMPLES,
+    hole: bool = False,
+    upright: bool,
+) -> RingMatch:
+    """Two rings of a matching, without a mesh.
+
+    Parameters
+    ----------
+    places : (ArcLength, ArcLength)
+        Of both rings.
+    matching : Correspondence
+    anchors : (K, 2) float64
+        Places that belong together exactly.
+    samples : int
+        About how many; where a hole goes follows those of its outer ring.
+    hole, upright : bool
+        As of `RingMatch`.
+    """
+    outlines = MatchedOutlines(
+        *places,
+        matching.u,
+        matching.v,
+        anchors=anchors if len(anchors) else None,
+        exact=matching.affine is not None,
+    )
+    points = outlines.samples(samples)
     # Two nodes far apart are enough to start from.
-    apart = np.linalg.norm(samples.source - samples.source[0], axis=1)
+    apart = np.linalg.norm(points.source - points.source[0], axis=1)
     kept = np.unique([0, int(apart.argmax())])
-    return RingMatch(source, target, True, matching, outlines, samples, kept, None, "hole")
+    ends = places[0].outline, places[1].outline
+    found = "hole" if hole else "preview"
+    return RingMatch(*ends, hole, matching, outlines, points, kept, None, found, upright)
 
 
-def _upright(matching: Correspondence) -> Correspondence:
+def upright_of(matching: Correspondence) -> Correspondence:
     """The best matching that does not turn the ring, unless the two are the same but for place."""
     if matching.affine is not None or matching.turn == 0:
         return matching
@@ -197,10 +250,7 @@ def _meshed(
 ) -> RingMatch:
     with observe("match"):
         places = ArcLength(source), ArcLength(target)
-        anchors = None
-        if len(pins):
-            found = places[0].nearest(pins[:, :2])[0], places[1].nearest(pins[:, 2:])[0]
-            anchors = np.stack(found, axis=1)
+        anchors = _anchors(*places, pins) if len(pins) else None
         outlines = MatchedOutlines(
             *places, matching.u, matching.v, anchors=anchors, exact=matching.affine is not None
         )
@@ -210,6 +260,11 @@ def _meshed(
     return RingMatch(
         source, target, False, matching, outlines, samples, mesh.nodes, mesh.pair, mesh.level
     )
+
+
+def _anchors(source: ArcLength, target: ArcLength, pins: Points) -> Floats:
+    """Places of pins on both outlines, (K, 2)."""
+    return np.stack([source.nearest(pins[:, :2])[0], target.nearest(pins[:, 2:])[0]], axis=1)
 
 
 def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Observer) -> RingMatch:

@@ -6,81 +6,75 @@ straight, or in an ambient mesh that no quads lead and nobody checks.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
-from shapetween.base.errors import MeshError, OptionError, OutlineError
+from shapetween.base.errors import MeshError, OutlineError
 from shapetween.deform.check import simple_frames
 from shapetween.deform.deformation import Deformation
 from shapetween.deform.mesh import ambient_mesh
 from shapetween.deform.motion import AmbientMotion
 from shapetween.deform.schedule import STIFFNESS_SCHEDULE
+from shapetween.geometry.rotation import rotations
 from shapetween.match.matcher import Matcher
 from shapetween.model.arclength import ArcLength
 from shapetween.outline.body import Carried, Nodes, RingMatch
-from shapetween.outline.matched import MatchedOutlines
+from shapetween.outline.carry import affine_between
+from shapetween.outline.matching import unmeshed, upright_of
 from shapetween.outline.nodes import outline_nodes
 from shapetween.outline.unfold import MOST_NODES, SPAN, TOLERANCES
 
-__all__ = ["Level", "Previews"]
+__all__ = ["Effort", "Previews", "previewed_body"]
 
-Level = Literal["line", "plane"]
+Effort = Literal["line", "plane", "full"]
+"""How much is done for a movement. The matching is the same each time. "line": nodes go straight;
+"plane": in an ambient mesh that no quads lead and nobody checks; "full": as it is saved."""
 
-#: Distance of a pin from the outline that it may belong to, as a share of that one's size.
+#: Distance of a pin from the outline that it may belong to, as a share of its body's size; the same
+#: as that of the full result, or a pin that is shown while it is dragged is refused after.
 PIN_REACH = 0.05
-
-#: Matched samples of an outline. With fewer, nodes miss its corners; more take longer.
-SAMPLES = 256
 
 
 @dataclass(frozen=True, eq=False)
-class _Outer:
-    """An outer ring and what pins do not change of it."""
+class _Kept:
+    """A ring and what pins do not change of it."""
 
     ring: RingMatch
+    turned: float
+    sizes: tuple[float, float]
 
     @cached_property
     def matcher(self) -> Matcher:
-        """Kept for all matchings to come."""
-        return Matcher(self.ring.source, self.ring.target)
+        """Kept for all matchings to come; a hole turns with its outer ring first."""
+        turn = np.column_stack([rotations(np.asarray(self.turned)), np.zeros(2)])
+        source = self.ring.source.transformed(turn) if self.ring.hole else self.ring.source
+        return Matcher(source, self.ring.target)
 
     @cached_property
     def lengths(self) -> tuple[ArcLength, ArcLength]:
         """Of both ends."""
         return ArcLength(self.ring.source), ArcLength(self.ring.target)
 
-    @cached_property
-    def sizes(self) -> Floats:
-        """Of both ends, (2,)."""
-        ends = self.ring.source, self.ring.target
-        return np.array([np.linalg.norm(np.ptp(end.box, axis=0)) for end in ends])
-
     def places(self, pins: Points) -> tuple[Floats, Floats]:
-        """Places of pins on both ends, (K, 2), and how far off they are, in sizes, (K,)."""
+        """Places of pins on both ends, (K, 2), and how far off those are, in sizes, (K, 2)."""
         found = [
             length.nearest(points)
             for length, points in zip(self.lengths, (pins[:, :2], pins[:, 2:]), strict=True)
         ]
         off = np.stack([distance for _, distance in found], axis=1) / self.sizes
-        return np.stack([place for place, _ in found], axis=1), off.max(axis=1, initial=0.0)
+        return np.stack([place for place, _ in found], axis=1), off
 
     def matched(self, places: Floats) -> RingMatch:
         """The ring with pins at places."""
         matching = self.matcher.match(places)
-        exact = matching.affine is not None
-        outlines = MatchedOutlines(
-            *self.lengths, matching.u, matching.v, anchors=places, exact=exact
-        )
-        samples = outlines.samples(SAMPLES)
-        first = int(np.linalg.norm(samples.source - samples.source[0], axis=1).argmax())
-        kept = np.unique([0, first])
-        return replace(
-            self.ring, matching=matching, outlines=outlines, samples=samples, kept=kept, pair=None
-        )
+        if self.ring.upright:
+            matching = upright_of(matching)
+        both = {"hole": self.ring.hole, "upright": self.ring.upright}
+        return unmeshed(self.lengths, matching, places, **both)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,7 +88,7 @@ class Previews:
     """
 
     bodies: tuple[Carried, ...]
-    _outers: dict[tuple[int, int], _Outer]
+    _rings: dict[tuple[int, int], _Kept]
 
     @classmethod
     def of(cls, bodies: Sequence[Carried]) -> "Previews | None":
@@ -102,47 +96,55 @@ class Previews:
         rings = {(b, r): ring for b, body in enumerate(bodies) for r, ring in _rings(body)}
         if any(ring.coarse for ring in rings.values()):
             return None
-        outers = {key: _Outer(ring) for key, ring in rings.items() if not ring.hole}
-        return cls(tuple(bodies), outers)
+        kept = {}
+        for key, ring in rings.items():
+            if not ring.hole:  # each stands before its holes
+                turned = float(affine_between(ring.samples.source, ring.samples.target)[0])
+                ends = ring.source, ring.target
+                sizes = [float(np.linalg.norm(np.ptp(end.box, axis=0))) for end in ends]
+            kept[key] = _Kept(ring, turned, (sizes[0], sizes[1]))
+        return cls(tuple(bodies), kept)
 
-    def moved(self, pins: Points, level: Level) -> tuple[Carried, ...]:
-        """All bodies with these pins; those without any as they were.
+    def moved(self, pins: Points, level: Effort) -> tuple[Carried, ...] | None:
+        """All bodies with these pins, those without any as they were; None if one is on no ring.
 
         Parameters
         ----------
         pins : (K, 4) float64
             In the movement's frame.
         level : {"line", "plane"}
-            Whether nodes go straight, or in an ambient mesh.
 
         Raises
         ------
         OptionError
-            If a pin is on no outline, or not in the order of the others.
+            If a pin is not in the order of the others.
         """
         mine = self._assigned(pins)
+        if mine is None:
+            return None
         found = []
         for b, body in enumerate(self.bodies):
             if all(own != b for own, _ in mine):
                 found.append(body)
                 continue
             rings = [
-                self._outers[b, r].matched(mine[b, r]) if (b, r) in mine else ring
+                self._rings[b, r].matched(mine[b, r]) if (b, r) in mine else ring
                 for r, ring in _rings(body)
             ]
-            found.append(_carried(tuple(rings), level))
+            found.append(previewed_body(tuple(rings), level))
         return tuple(found)
 
-    def _assigned(self, pins: Points) -> dict[tuple[int, int], Floats]:
-        """Places of pins on the outer rings that they are on."""
-        keys = list(self._outers)
+    def _assigned(self, pins: Points) -> dict[tuple[int, int], Floats] | None:
+        """Places of pins on the rings that they are on; None if one is on none."""
+        keys = list(self._rings)
         if not len(pins):
             return {}
-        found = [self._outers[key].places(pins) for key in keys]
+        found = [self._rings[key].places(pins) for key in keys]
         off = np.stack([far for _, far in found])
-        nearest = off.argmin(axis=0)
-        if (off.min(axis=0) > PIN_REACH).any():
-            raise OptionError("pin: does not lie on two outlines that become each other")
+        sums = np.where((off <= PIN_REACH).all(axis=2), off.sum(axis=2), np.inf)
+        nearest = sums.argmin(axis=0)
+        if not np.isfinite(sums.min(axis=0)).all():
+            return None
         return {
             key: found[k][0][nearest == k] for k, key in enumerate(keys) if (nearest == k).any()
         }
@@ -152,8 +154,16 @@ def _rings(body: Carried) -> list[tuple[int, RingMatch]]:
     return list(enumerate(body.nodes.rings))
 
 
-def _carried(rings: tuple[RingMatch, ...], level: Level) -> Carried:
-    nodes = Nodes(rings, tuple(_chosen(ring) for ring in rings))
+def previewed_body(rings: Sequence[RingMatch], level: Effort) -> Carried:
+    """Matched rings as they are seen to move before the full result is there.
+
+    Parameters
+    ----------
+    rings : sequence of RingMatch
+        Outer rings, each before its holes.
+    level : {"line", "plane"}
+    """
+    nodes = Nodes(tuple(rings), tuple(_chosen(ring) for ring in rings))
     path = _in_mesh(nodes) if level == "plane" else None
     return Carried(nodes, path or _Straight(nodes.ends), 0, 0, False, f"preview: {level}", 0.0)
 

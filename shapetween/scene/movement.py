@@ -130,8 +130,7 @@ def move_scene(
         for k in _largest_first(a, roles):
             role = roles.pairs[k]
             mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
-            found, more = pair_tracks(k, a, b, roles, settings, names, asked.pins[mine])
-            settings.claimed.pins.update(mine)
+            found, more = pair_tracks(k, a, b, roles, settings, names, mine)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
             said += more
         hosts = (

@@ -1,11 +1,12 @@
 """How a pair of items moves, as it lies in its scenes."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from shapetween.base.arrays import Points
 from shapetween.base.notices import Notice
+from shapetween.fill.pinned import pinned_rings
 from shapetween.fill.regions import regions_of
 from shapetween.fill.settings import FillSettings
 from shapetween.fill.stroking import outlined
@@ -15,6 +16,7 @@ from shapetween.scene.assign import Roles
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import Ends, elastic, tracks_of
+from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, Mirrored, Track
 from shapetween.scene.relations import Scene
@@ -33,7 +35,7 @@ def pair_tracks(
     roles: Roles,
     settings: FillSettings,
     names: tuple[str, str],
-    pins: Points,
+    pinned: Sequence[int],
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
     """Tracks of one pair; of a pair whose mates are a pair too, as the mirror image of those.
 
@@ -46,15 +48,17 @@ def pair_tracks(
     settings : FillSettings
     names : tuple of str
         What messages call the drawings.
-    pins : (K, 4) float64
-        What the user pinned of this pair.
+    pinned : sequence of int
+        Which of the pins are on this pair.
     """
     role = roles.pairs[k]
     ends = replace(_ends(role.first, role.second, a, b), root=k in _mains(a, b, roles))
-    if len(pins):
+    settings = replace(settings, mine=frozenset(pinned))
+    if len(pinned):
         if ends.first.filled and ends.second.filled:
-            return elastic(ends, settings, names)
-        pieces = pinned_pieces(ends.first, ends.second, pins)
+            return _pinned_areas(ends, settings, names, pinned)
+        settings.claimed.pins.update(pinned)
+        pieces = pinned_pieces(ends.first, ends.second, settings.pins[list(pinned)])
         return (Blend(pieces, np.stack([ends.first.centre, ends.second.centre])),), ()
     axis = _mirror(role.first, role.second, a, b, roles)
     if axis is None:
@@ -68,6 +72,23 @@ def pair_tracks(
     image = replace(image, forms=(form_of(image.first), form_of(image.second)))
     found, said = tracks_of(image, settings, names)
     return tuple(Mirrored(track, flips, places) for track in found), said
+
+
+def _pinned_areas(
+    ends: Ends, settings: FillSettings, names: tuple[str, str], pinned: Sequence[int]
+) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+    """Tracks of two areas with pins; those on holes leave the outer ring to move as without."""
+    pins = settings.pins[list(pinned)]
+    on = pinned_rings(ends.first.rings, ends.second.rings, pins)
+    if on.outer or not on.holes:
+        return elastic(ends, settings, names)
+    found, said = tracks_of(ends, settings, names)
+    outer = found[0]
+    if not isinstance(outer, Blend):
+        return found, said
+    settings.claimed.pins.update(pinned[k] for k in on.rows)
+    holes = {pair: pins[list(rows)] for pair, rows in on.holes.items()}
+    return (outer, *hole_tracks(ends.first, ends.second, outer, holes)), said
 
 
 def _mains(a: Scene, b: Scene, roles: Roles) -> list[int]:

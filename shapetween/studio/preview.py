@@ -10,7 +10,7 @@ import numpy as np
 from shapetween.api import Morph, Pin
 from shapetween.fill.parts import FilledPart
 from shapetween.geometry.affine import mapped
-from shapetween.outline.preview import Level, Previews
+from shapetween.outline.preview import Effort, Previews
 from shapetween.pipeline import Prepared
 from shapetween.scene.motion.tracks import Elastic, Mirrored, Shared, Track
 from shapetween.scene.parts import PairPart
@@ -18,7 +18,7 @@ from shapetween.scene.parts import PairPart
 __all__ = ["previewed"]
 
 
-def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph | None:
+def previewed(base: Morph, pins: Sequence[Pin], level: Effort = "plane") -> Morph | None:
     """The movement with pins, near enough to what the full result will be.
 
     Parameters
@@ -33,8 +33,8 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph
     Returns
     -------
     Morph or None
-        None where no outline is moved by itself, or one has so many curves that another stands
-        for it.
+        None where no outline is moved by itself, one has so many curves that another stands for
+        it, or a pin is on none.
     """
     prepared = base.prepared
     previews = _previews(prepared)
@@ -42,7 +42,10 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Level = "plane") -> Morph
         return None
     rows = np.array(pins, dtype=np.float64).reshape(-1, 4)
     rows[:, 2:] = mapped(rows[:, 2:], prepared.fit)
-    found = iter(previews.moved(rows, level))
+    moved = previews.moved(rows, level)
+    if moved is None:
+        return None
+    found = iter(moved)
     fresh = {
         id(part): replace(part, bodies=tuple(next(found) for _ in part.bodies))
         for part in prepared.filled

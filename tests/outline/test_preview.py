@@ -8,7 +8,7 @@ import pytest
 import shapetween as st
 from shapetween.api import Pin
 from shapetween.base.errors import OptionError
-from shapetween.outline.preview import Level
+from shapetween.outline.preview import Effort
 from shapetween.studio.preview import previewed
 
 INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
@@ -25,7 +25,7 @@ def pin_of(m: st.Morph, place: int, shift: int) -> Pin:
 
 @pytest.mark.parametrize("pair", PAIRS, ids="-".join)
 @pytest.mark.parametrize("level", ["line", "plane"])
-def test_the_matching_is_that_of_the_full_result(pair: tuple[str, str], level: Level) -> None:
+def test_the_matching_is_that_of_the_full_result(pair: tuple[str, str], level: Effort) -> None:
     a, b = (INPUTS / f"{name}.svg" for name in pair)
     free = st.morph(a, b, folds="allow")
     pin = pin_of(free, 130, 9)
@@ -50,10 +50,50 @@ def test_without_pins_nothing_changes() -> None:
     assert quick.svg(keyframes=5) == free.svg(keyframes=5)
 
 
-def test_a_pin_on_nothing_is_refused() -> None:
+def test_a_pin_on_nothing_is_for_the_full_result_to_refuse() -> None:
     free = st.morph(INPUTS / "horse.svg", INPUTS / "kangaroo.svg", folds="allow")
-    with pytest.raises(OptionError, match="two outlines"):
-        previewed(free, [(500.0, 500.0, 1.0, 1.0)])
+    assert previewed(free, [(500.0, 500.0, 1.0, 1.0)]) is None
+
+
+@pytest.mark.parametrize("effort", ["line", "plane"])
+@pytest.mark.parametrize("pair", [*PAIRS, ("run", "walk"), ("lock", "key")], ids="-".join)
+def test_every_effort_has_the_matching_of_the_full_one(
+    pair: tuple[str, str], effort: Effort
+) -> None:
+    a, b = (INPUTS / f"{name}.svg" for name in pair)
+    for pins in ([], [pin_of(st.morph(a, b), 130, 9)]):
+        quick, full = st.morph(a, b, pins=pins, effort=effort), st.morph(a, b, pins=pins)
+        rings = [
+            [r for part in m.prepared.filled for body in part.bodies for r in body.nodes.rings]
+            for m in (quick, full)
+        ]
+        for mine, theirs in zip(*rings, strict=True):
+            np.testing.assert_array_equal(mine.matching.u, theirs.matching.u)
+            np.testing.assert_array_equal(mine.matching.v, theirs.matching.v)
+        for t in (0.0, 1.0):
+            ends = [m.at(t).shapes for m in (quick, full)]
+            areas = [[ring.area for shape in shapes for ring in shape.rings] for shapes in ends]
+            assert areas[0] == pytest.approx(areas[1], rel=1e-9)
+
+
+def test_an_effort_that_is_none_is_refused() -> None:
+    with pytest.raises(OptionError, match="effort: 'some' is none of line, plane, full"):
+        st.morph(INPUTS / "horse.svg", INPUTS / "kangaroo.svg", effort="some")  # type: ignore[arg-type]
+
+
+def test_a_hole_is_pinned_in_a_preview_too() -> None:
+    """A hole of the preview is matched as the full result's, turned with its outer ring."""
+    a, b = (INPUTS / f"{name}.svg" for name in ("lock", "key"))
+    free = st.morph(a, b, folds="allow")
+    k = next(k for k, ring in enumerate(free.correspondence) if ring.hole)
+    ring = free.correspondence[k]
+    (ax, ay), (bx, by) = ring.source[40].tolist(), ring.target[52].tolist()
+    pin = (ax, ay, bx, by)
+    quick, full = previewed(free, [pin]), st.morph(a, b, pins=[pin])
+    assert quick is not None
+    mine, theirs = (m.prepared.filled[0].bodies[0].nodes.rings[k].matching for m in (quick, full))
+    np.testing.assert_array_equal(mine.u, theirs.u)
+    np.testing.assert_array_equal(mine.v, theirs.v)
 
 
 def test_of_many_shapes_only_what_is_pinned_moves_anew() -> None:

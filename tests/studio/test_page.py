@@ -114,17 +114,17 @@ class Studio:
             str(self.page.evaluate(f"{SHAPE}.querySelector('animate').getAttribute('values')")),
         )
 
-    def place(self, side: str, share: float) -> tuple[float, float]:
-        """Where on the page a share of the first outline is."""
+    def place(self, side: str, share: float, kind: str = ".hue") -> tuple[float, float]:
+        """Where on the page a share of the first outline of a kind is."""
         x, y = self.page.evaluate(
-            """([side, share]) => {
-                const svg = document.getElementById(side), paths = svg.querySelectorAll(".hue");
+            """([side, share, kind]) => {
+                const svg = document.getElementById(side), paths = svg.querySelectorAll(kind);
                 const path = paths[Math.floor(share * 24)];
                 const p = path.getPointAtLength(path.getTotalLength() / 2);
                 const q = p.matrixTransform(svg.getScreenCTM());
                 return [q.x, q.y];
             }""",
-            [side, share],
+            [side, share, kind],
         )
         return float(x), float(y)
 
@@ -394,6 +394,27 @@ def test_another_matching_is_one_click(studio: Studio) -> None:
     studio.rest()
     assert len(studio.pins()) == 4
     assert "--matching" not in studio.text("#command")
+
+
+def test_holes_take_pins_too(studio: Studio) -> None:
+    paths = INPUTS / "cog.svg", INPUTS / "nut.svg"
+    studio.client.server.session.open_paths(list(paths))
+    studio.page.evaluate("sessionStorage.removeItem('shapetween-work')")
+    studio.page.reload()
+    studio.rest()
+    free = st.morph(*paths)
+    hole = next(ring for ring in free.correspondence if ring.hole)
+    before = studio.shape()
+    start, end = studio.place("b", 0.3, ".hole"), studio.place("b", 0.36, ".hole")
+    studio.drag("b", start, end)
+    studio.until(lambda: studio.shape() != before, 20)  # the button is still down
+    studio.page.mouse.up()
+    studio.rest()
+    (pin,) = studio.pins()
+    near = np.linalg.norm(hole.source - pin[:2], axis=1).min()
+    assert near < 0.02 * np.ptp(hole.source, axis=0).max()
+    shown = st.morph(*paths, pins=[pin])
+    assert holds(shown.svg(), studio.shape())
 
 
 def test_parts_are_paired_by_clicking(studio: Studio, tmp_path: Path) -> None:

@@ -1,5 +1,7 @@
 """Holes of a region whose outer ring is blended: each moves in the frame of that ring."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from shapetween.base.arrays import Affine, Points
@@ -8,6 +10,7 @@ from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.boxes import box_blend
 from shapetween.scene.motion.knots import ring_knots
+from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
@@ -25,7 +28,9 @@ SIZE = 0.15
 EYES_APART = 0.8
 
 
-def hole_tracks(first: Item, second: Item, outer: Blend) -> tuple[Track, ...]:
+def hole_tracks(
+    first: Item, second: Item, outer: Blend, pins: Mapping[tuple[int, int], Points] | None = None
+) -> tuple[Track, ...]:
     """Holes to the nearest ones, or closing where they are.
 
     Parameters
@@ -34,14 +39,25 @@ def hole_tracks(first: Item, second: Item, outer: Blend) -> tuple[Track, ...]:
         The region at both ends.
     outer : Blend
         Its outer ring's track.
+    pins : mapping of (int, int) to (K, 4) float64, optional
+        Of holes that become each other what else does, ax, ay, bx, by.
     """
+    pinned = pins or {}
     if not first.holes and not second.holes:
         return ()
     forth = _affine(outer.pieces.source, outer.pieces.target)
     back = _affine(outer.pieces.target, outer.pieces.source)
     holes = [[Item((hole,), item.style) for hole in item.holes] for item in (first, second)]
-    pairs = _nearest(holes[0], holes[1], forth, second)
-    tracks: list[Track] = [_in_frame(_matched(holes[0][i], holes[1][j]), outer) for i, j in pairs]
+    free = [
+        [k for k in range(len(own)) if all(pair[s] != k for pair in pinned)]
+        for s, own in enumerate(holes)
+    ]
+    rest = [[own[k] for k in some] for own, some in zip(holes, free, strict=True)]
+    pairs = [(free[0][i], free[1][j]) for i, j in _nearest(rest[0], rest[1], forth, second)]
+    pairs = sorted([*pairs, *pinned])
+    tracks: list[Track] = [
+        _in_frame(_matched(holes[0][i], holes[1][j], pinned.get((i, j))), outer) for i, j in pairs
+    ]
     for side, (own, matrix) in enumerate(zip(holes, (forth, back), strict=True)):
         known = {pair[side] for pair in pairs}
         for k, hole in enumerate(own):
@@ -93,12 +109,14 @@ def _only_round(holes: list[Item]) -> int | None:
     return found[0] if len(found) == 1 else None
 
 
-def _matched(one: Item, other: Item) -> Pieces:
+def _matched(one: Item, other: Item, pins: Points | None) -> Pieces:
     places = Places(one.outer.clockwise()), Places(other.outer.clockwise())
     forms = form_of(one), form_of(other)
     if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):
-        return box_blend(forms[0], forms[1], *places).pieces
-    return cut_alike(*places, *ring_knots(*places))
+        pieces = box_blend(forms[0], forms[1], *places).pieces
+    else:
+        pieces = cut_alike(*places, *ring_knots(*places))
+    return pieces if pins is None else pinned_pieces(one, other, pins, pieces)
 
 
 def _in_frame(pieces: Pieces, outer: Blend) -> Blend:

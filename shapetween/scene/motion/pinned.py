@@ -3,6 +3,7 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats, Points
+from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
 from shapetween.scene.motion.knots import along_knots, ring_knots
 from shapetween.scene.places import Pieces, Places, cut_alike
@@ -37,12 +38,15 @@ def _nearest(scene: Scene, point: Points) -> int | None:
     return None if best is None else best[1]
 
 
-def pinned_pieces(first: Item, second: Item, pins: Points) -> Pieces:
-    """Outer rings or lines cut alike so that pins (K, 4) become each other."""
+def pinned_pieces(first: Item, second: Item, pins: Points, free: Pieces | None = None) -> Pieces:
+    """Outer rings or lines cut alike so that pins (K, 4) become each other.
+
+    Of rings the rest goes as `free` says, the pieces without pins, if they are given.
+    """
     source, target = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     pu, pv = source.nearest(pins[:, :2]), target.nearest(pins[:, 2:])
     if first.closed and second.closed:
-        u, v = ring_knots(source, target)
+        u, v = _knots_of(free, source, target) if free is not None else ring_knots(source, target)
         at = np.interp(u[0] + (pu[:1] - u[0]) % 1.0, u, v)
         v = v + float(pv[0] - at[0])
         return cut_alike(source, target, *_through(u, v, pu, pv, closed=True))
@@ -67,6 +71,15 @@ def pinned_pieces(first: Item, second: Item, pins: Points) -> Pieces:
     even = np.array([0.0, 1.0])
     pieces = cut_alike(run, line, even, even)
     return pieces if first.closed else Pieces(pieces.target, pieces.source, False)
+
+
+def _knots_of(pieces: Pieces, source: Places, target: Places) -> tuple[Floats, Floats]:
+    """Places of the ends of pieces on the two rings that they are cut from, a turn of them."""
+    found = []
+    for curves, places in ((pieces.source, source), (pieces.target, target)):
+        run = Places(Outline(curves, True)).joints
+        found.append(float(places.nearest(curves[:1, 0])[0]) + run)
+    return found[0], found[1]
 
 
 def _through(

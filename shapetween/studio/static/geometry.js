@@ -27,7 +27,6 @@ export function at(points, closed, place) {
 export function nearestOfAll(rings, side, point) {
   let best = null;
   rings.forEach((ring, index) => {
-    if (ring.hole) return; // a pin belongs to what is round it
     const found = nearest(ring[side], ring.closed, point);
     if (!best || found.distance < best.distance) best = { ...found, ring: index };
   });
@@ -38,7 +37,6 @@ export function nearestOfAll(rings, side, point) {
 export function ringOf(rings, [ax, ay, bx, by]) {
   let best = -1, least = Infinity;
   rings.forEach((ring, index) => {
-    if (ring.hole) return;
     const a = nearest(ring.a, ring.closed, [ax, ay]).distance / size(ring.a);
     const b = nearest(ring.b, ring.closed, [bx, by]).distance / size(ring.b);
     if (a + b < least) { least = a + b; best = index; }
