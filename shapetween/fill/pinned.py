@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 
 __all__ = ["PIN_REACH", "PinnedRings", "pinned_rings"]
@@ -90,5 +90,5 @@ def pinned_rings(first: Sequence[Outline], second: Sequence[Outline], pins: Poin
 def _away(rings: Sequence[Outline], points: Points) -> Floats:
     """Distance of points from rings in sizes of the outer one, (R, K); too far is infinite."""
     size = float(np.linalg.norm(np.ptp(rings[0].box, axis=0)))
-    found = np.stack([ArcLength(ring).nearest(points)[1] for ring in rings]) / size
+    found = np.stack([arc_length(ring).nearest(points)[1] for ring in rings]) / size
     return np.where(found <= PIN_REACH, found, np.inf)

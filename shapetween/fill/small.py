@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 from shapetween.outline.matched import MatchedOutlines
 
@@ -72,7 +72,7 @@ def blend_small(source: Outline, target: Outline) -> BlendedCurve:
         if alike and np.abs(source.curves - way.curves).max() <= SAME * extent:
             return BlendedCurve(source.curves, way.curves, 0.0)
     way = target if (source.area > 0) == (target.area > 0) else target.reversed()
-    places = ArcLength(source), ArcLength(way)
+    places = arc_length(source), arc_length(way)
     even = np.arange(SAMPLES) / SAMPLES
     first, second = (place.point(even) for place in places)
     first, second = first - first.mean(axis=0), second - second.mean(axis=0)

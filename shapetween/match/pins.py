@@ -4,7 +4,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Points, frozen
 from shapetween.base.errors import OptionError
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 
 __all__ = ["pinned_places", "places_in_order"]
@@ -44,7 +44,7 @@ def pinned_places(source: Outline, target: Outline, pins: Points | None) -> Floa
         raise OptionError(f"a pin has four numbers, AX,AY:BX,BY, not {rows.shape[1]}")
     places = []
     for name, outline, points in (("source", source, rows[:, :2]), ("target", target, rows[:, 2:])):
-        place, distance = ArcLength(outline).nearest(points)
+        place, distance = arc_length(outline).nearest(points)
         reach = REACH * float(np.linalg.norm(np.ptp(outline.box, axis=0)))
         off = np.flatnonzero(distance > reach)
         if off.size:

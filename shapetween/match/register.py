@@ -11,7 +11,7 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Points
 from shapetween.match.moments import area_moments
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
 
 __all__ = ["AffineMatch", "register"]
@@ -155,7 +155,7 @@ def _whiten(outline: Outline) -> _Whitened:
     # Centred first: far from the origin the offset would cost digits.
     centred = Outline(outline.curves - centroid)
     white = centred.transformed(np.column_stack([inverse, np.zeros(2)]))
-    return _Whitened(ArcLength(white), ArcLength(outline), root, centroid)
+    return _Whitened(arc_length(white), arc_length(outline), root, centroid)
 
 
 def _refine(a: _Whitened, b: _Whitened, shift: float, angle: float | None) -> _Fit:

@@ -10,7 +10,7 @@ import numpy as np
 from shapetween.base.arrays import Points
 from shapetween.geometry.bezier import bernstein
 from shapetween.match.moments import area_moments
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
 
 __all__ = ["SAMPLES", "Samples", "sample"]
@@ -47,7 +47,7 @@ class Samples:
 
 def sample(outline: Outline) -> Samples:
     """Sample a closed outline of positive area."""
-    arcs = ArcLength(outline)
+    arcs = arc_length(outline)
     area, centroid, _ = area_moments(outline.curves)
     start = canonical_start(arcs)
     size = float(np.sqrt(area))

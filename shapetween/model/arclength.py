@@ -4,6 +4,7 @@ A place is a fraction of the whole length from the outline's start, so it does n
 units, nor on how the curve was cut into commands.
 """
 
+from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -15,7 +16,7 @@ from shapetween.geometry.bezier import bernstein, combined, sub_curves
 from shapetween.geometry.linearmaps import as_complex, as_points, squared
 from shapetween.model.outline import Outline
 
-__all__ = ["ArcLength"]
+__all__ = ["ArcLength", "arc_length"]
 
 Located: TypeAlias = tuple[Index, Floats]
 """Curve indices and the parameters on those curves, of equal shapes."""
@@ -40,6 +41,10 @@ PLACE_ERROR = 2e-15
 #: Parts of a piece in which the nearest point is looked for; each is taken to hold one nearest
 #: point at most, so fewer could miss the nearer of two, and more cost time.
 NEAREST_PARTS = 8
+
+#: Outlines whose lengths are kept. With fewer a drawing's outlines are measured anew by each stage
+#: that asks; more would keep memory for drawings that are done.
+KEPT = 32
 
 
 class ArcLength:
@@ -238,6 +243,18 @@ class ArcLength:
                 break
             t = following
         return t
+
+
+@lru_cache(maxsize=KEPT)  # outlines are frozen, and known by identity
+def arc_length(outline: Outline) -> ArcLength:
+    """The arc length of an outline, which every stage that asks for it shares.
+
+    Raises
+    ------
+    OutlineError
+        If the outline has no length.
+    """
+    return ArcLength(outline)
 
 
 def _velocity(steps: Points, t: Floats) -> Points:

@@ -13,7 +13,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Points
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
 from shapetween.geometry.polygon import cross
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
 
 __all__ = ["Coarse", "coarse"]
@@ -60,7 +60,7 @@ class Coarse:
     @cached_property
     def lengths(self) -> ArcLength:
         """Places on the polygon by length."""
-        return ArcLength(self.polygon)
+        return arc_length(self.polygon)
 
     def points(self, places: Floats) -> Points:
         """Points at places, (N, 2)."""

@@ -17,7 +17,7 @@ from shapetween.match.register import register
 from shapetween.mesh import mesh_matched
 from shapetween.mesh.file import check_mesh
 from shapetween.mesh.pair import MeshPair
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
 from shapetween.outline.body import RingMatch
 from shapetween.outline.coarse import coarse
@@ -109,7 +109,7 @@ def match_outer(
     if meshed:
         found = _meshed(source, target, matching, quads, pins, observe)
         return replace(found, upright=upright)
-    places = ArcLength(source), ArcLength(target)
+    places = arc_length(source), arc_length(target)
     anchors = _anchors(*places, pins)
     return unmeshed(places, matching, anchors, samples=SAMPLES, upright=upright)
 
@@ -188,7 +188,7 @@ def match_hole(
     """
     with observe("match"):
         turn = np.column_stack([rotations(np.asarray(turned)), np.zeros(2)])
-        places = ArcLength(source), ArcLength(target)
+        places = arc_length(source), arc_length(target)
         anchors = _anchors(*places, np.zeros((0, 4)) if pins is None else pins)
         matching = upright_of(correspond(source.transformed(turn), target, anchors))
         return unmeshed(places, matching, anchors, hole=True, upright=True)
@@ -249,7 +249,7 @@ def _meshed(
     observe: Observer,
 ) -> RingMatch:
     with observe("match"):
-        places = ArcLength(source), ArcLength(target)
+        places = arc_length(source), arc_length(target)
         anchors = _anchors(*places, pins) if len(pins) else None
         outlines = MatchedOutlines(
             *places, matching.u, matching.v, anchors=anchors, exact=matching.affine is not None
@@ -271,7 +271,7 @@ def _given_mesh(source: Outline, target: Outline, mesh: MeshPair, observe: Obser
     with observe("match"):
         polygons = flatten(source.curves, CHORDS), flatten(target.curves, CHORDS)
         cycle = check_mesh(mesh, *polygons)
-        places = ArcLength(source), ArcLength(target)
+        places = arc_length(source), arc_length(target)
         anchors = np.stack(
             [
                 places[0].nearest(mesh.source[cycle])[0],

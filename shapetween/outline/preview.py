@@ -21,7 +21,7 @@ from shapetween.deform.motion import AmbientMotion
 from shapetween.deform.schedule import STIFFNESS_SCHEDULE
 from shapetween.geometry.rotation import rotations
 from shapetween.match.matcher import Matcher
-from shapetween.model.arclength import ArcLength
+from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.outline.body import Carried, Nodes, RingMatch
 from shapetween.outline.carry import affine_between
 from shapetween.outline.matching import unmeshed, upright_of
@@ -57,7 +57,7 @@ class _Kept:
     @cached_property
     def lengths(self) -> tuple[ArcLength, ArcLength]:
         """Of both ends."""
-        return ArcLength(self.ring.source), ArcLength(self.ring.target)
+        return arc_length(self.ring.source), arc_length(self.ring.target)
 
     def places(self, pins: Points) -> tuple[Floats, Floats]:
         """Places of pins on both ends, (K, 2), and how far off those are, in sizes, (K, 2)."""
