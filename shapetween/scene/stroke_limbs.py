@@ -1,7 +1,7 @@
 """A region's outline shared out among the centre lines it runs beside."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,6 +33,13 @@ NEAR = 0.02
 #: beyond which the outline does not follow the contour from one to the other. It is 2 round the cap
 #: of a line that ends on another.
 JUMP, BENT = 3.0, 1.6
+
+#: Steps of the grid, in the size of a region, on which its centre lines are looked for. A coarser one
+#: bends them, a finer one lets through what rounding leaves.
+GRID = 2.0**30
+
+#: Difference of two lines' distances, as a share of their width, up to which neither is nearer.
+EQUAL = 1e-6
 
 #: Halvings by which the place of a change on a curve is found.
 HALVINGS = 20
@@ -74,19 +81,43 @@ def outlined_strokes(region: Region) -> tuple[OutlinedStroke, ...] | None:
     polygon = _polygon(region)
     if not polygon.is_valid:
         return None
-    found = centre_lines(polygon)
+    found = _centre_lines(polygon)
     if found is None:
         return None
     lines, width = found
-    runs = _runs([region.outer, *(hole.reversed() for hole in region.holes)], lines)
+    rings = [region.outer, *(hole.reversed() for hole in region.holes)]
+    runs = _runs(rings, lines, width)
     strokes = []
     for k, item in enumerate(lines):
         frame = StrokeFrame(item.line.curves, item.line.closed)
-        rings = _rings(frame, width / 2, [run for run, owner in runs if owner == k])
-        if rings is None or not all(follows(frame, ring) for ring in rings):
+        own = _rings(frame, width / 2, [run for run, owner in runs if owner == k])
+        if own is None or not all(follows(frame, ring) for ring in own):
             return None
-        strokes.append(OutlinedStroke(item, width, rings))
+        strokes.append(OutlinedStroke(item, width, own))
     return tuple(strokes) if _same(strokes, polygon) else None
+
+
+def _centre_lines(polygon: "shapely.Polygon") -> tuple[tuple[CentreLine, ...], float] | None:
+    """Centre lines of a region, found in a frame of its own.
+
+    Where a stroke ends or two cross, many samples lie on one circle, and rounding would decide how
+    they are joined: in its own frame, on a grid, a region looks alike in any unit and place.
+    """
+    import shapely
+
+    low, high = np.array(polygon.bounds).reshape(2, 2)
+    centre, size = (low + high) / 2, float((high - low).max())
+    if not size > 0:
+        return None
+    own = shapely.transform(
+        polygon, lambda points: np.round((points - centre) / size * GRID) / GRID
+    )
+    found = centre_lines(own) if own.is_valid else None
+    if found is None:
+        return None
+    back = np.column_stack([size * np.eye(2), centre])
+    lines = tuple(replace(line, line=line.line.transformed(back)) for line in found[0])
+    return lines, size * found[1]
 
 
 def _polyline(outline: Outline) -> Points:
@@ -99,7 +130,9 @@ def _polygon(region: Region) -> "shapely.Polygon":
     return shapely.Polygon(_polyline(region.outer), [_polyline(hole) for hole in region.holes])
 
 
-def _runs(rings: Sequence[Outline], lines: Sequence[CentreLine]) -> list[tuple[Curves, int]]:
+def _runs(
+    rings: Sequence[Outline], lines: Sequence[CentreLine], width: float
+) -> list[tuple[Curves, int]]:
     """Parts of rings in a row that run beside one line, and which."""
     import shapely
 
@@ -108,7 +141,7 @@ def _runs(rings: Sequence[Outline], lines: Sequence[CentreLine]) -> list[tuple[C
     def owners(points: Points) -> Index:
         away = np.stack([shapely.distance(line, shapely.points(points)) for line in drawn])
         least = away.min(axis=0)
-        return np.asarray(np.argmax(away <= least + 1e-9 * (1 + least), axis=0))
+        return np.asarray(np.argmax(away <= least + EQUAL * width, axis=0))
 
     found = []
     for ring in rings:
