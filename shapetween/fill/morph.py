@@ -8,6 +8,7 @@ from shapetween.base.arrays import Points
 from shapetween.base.ends import End
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Kind, Notice
+from shapetween.base.ranking import comparable
 from shapetween.fill.appearing import AppearingRegion, Ground
 from shapetween.fill.pairing import Thing, pair_things
 from shapetween.fill.parts import FilledPart
@@ -275,7 +276,7 @@ def _by_size(
 ) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
     """Pairs of pieces that get meshes of their own, and those too many or too small for it."""
     sizes = [max(abs(before[i].area), abs(after[j].area)) for i, j in pairs]
-    order = sorted(range(len(pairs)), key=lambda k: -sizes[k])
+    order = np.argsort(-comparable(sizes), kind="stable").tolist()
     curves = sum(len(piece.outer.curves) for piece in (*before, *after))
     least = LEAST_ROUGH if curves > MANY_CURVES else LEAST_MESHED
     meshed = {k for k in order[:MOST_MESHED] if sizes[k] >= least * sizes[order[0]]}
@@ -315,11 +316,9 @@ def _matched_holes(
     mapped = [Thing((t.centre - means[0]) @ linear.T + means[1], t.size * grown) for t in before]
     after = [_thing(Region(hole)) for hole in second.holes]
     pairing = pair_things(mapped, after, size, fixed=list(pins))
-    sizes = [
-        -np.inf if pair in pins else -max(before[pair[0]].size, after[pair[1]].size)
-        for pair in pairing.pairs
-    ]
-    order = np.argsort(sizes, kind="stable").tolist()
+    sizes = comparable([max(before[i].size, after[j].size) for i, j in pairing.pairs])
+    free = np.array([pair not in pins for pair in pairing.pairs], dtype=bool)
+    order = np.lexsort((-sizes, free)).tolist()
     chosen = sorted(pairing.pairs[k] for k in order[:MOST_HOLES])
     matched, alone = [], []
     for i, j in chosen:

@@ -11,6 +11,7 @@ import numpy as np
 from shapetween.base.arrays import Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
+from shapetween.base.ranking import comparable
 from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import Chords, chords_of
 from shapetween.boolean.trace import traced
@@ -105,7 +106,8 @@ def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[Notic
 
 
 def _largest_first(found: list[Region]) -> tuple[Region, ...]:
-    return tuple(sorted(found, key=lambda region: -region.area))
+    order = np.argsort(-comparable([region.area for region in found]), kind="stable")
+    return tuple(found[k] for k in order)
 
 
 def _encloses(ring: Outline) -> bool:

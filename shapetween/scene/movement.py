@@ -9,6 +9,7 @@ import numpy as np
 from shapetween.base.arrays import Mask, Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
+from shapetween.base.ranking import comparable
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import Claimed, FillSettings
@@ -164,11 +165,9 @@ def _settled(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[in
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:
     """Pairs so that what others keep to comes before them."""
-    first = [role.first for role in roles.pairs]
-    return sorted(
-        range(len(first)),
-        key=lambda k: (a.outlined[first[k]] >= 0, -round(float(a.sizes[first[k]]), 6), first[k]),
-    )
+    first = np.array([role.first for role in roles.pairs], dtype=np.intp)
+    keys = first, -comparable(a.sizes[first]), a.outlined[first] >= 0
+    return [int(k) for k in np.lexsort(keys)]
 
 
 def _part(

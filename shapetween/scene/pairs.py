@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from shapetween.base.notices import Notice
+from shapetween.base.ranking import comparable
 from shapetween.fill.pinned import pinned_rings
 from shapetween.fill.regions import regions_of
 from shapetween.fill.settings import FillSettings
@@ -93,9 +94,11 @@ def _pinned_areas(
 
 def _mains(a: Scene, b: Scene, roles: Roles) -> list[int]:
     """The pairs that the outline engine is worth its time for: the largest of no simple form."""
+    ends = [[role.first for role in roles.pairs], [role.second for role in roles.pairs]]
+    sizes = comparable(a.sizes[ends[0]] * b.sizes[ends[1]])
     generic = [
-        (-round(float(a.sizes[role.first] * b.sizes[role.second]), 9), k)
-        for k, role in enumerate(roles.pairs)
+        (-size, k)
+        for k, (role, size) in enumerate(zip(roles.pairs, sizes.tolist(), strict=True))
         if a.items[role.first].closed
         and b.items[role.second].closed
         and (a.parents[role.first] < 0 or b.parents[role.second] < 0)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
+from shapetween.base.ranking import comparable
 from shapetween.scene.forms import Form, form_of
 from shapetween.scene.items import Item
 
@@ -240,7 +241,7 @@ def _parents(
     child, host, place = child[fine], host[fine], place[fine]
     covered = shapely.area(shapely.intersection(inner[child], around[host]))
     inside = covered >= COVERED * own[child]
-    order = np.lexsort((place[inside], -areas[host[inside]]))
+    order = np.lexsort((place[inside], -comparable(areas)[host[inside]]))
     for c, p in zip(child[inside][order], place[inside][order], strict=True):
         parents[c] = p
     return parents

@@ -34,8 +34,8 @@ NEAR = 0.02
 #: of a line that ends on another.
 JUMP, BENT = 3.0, 1.6
 
-#: Steps of the grid, in the size of a region, on which its centre lines are looked for. A coarser one
-#: bends them, a finer one lets through what rounding leaves.
+#: Steps of the grid, in the size of a region, on which its centre lines are looked for. A coarser
+#: one bends them, a finer one lets through what rounding leaves.
 GRID = 2.0**30
 
 #: Difference of two lines' distances, as a share of their width, up to which neither is nearer.

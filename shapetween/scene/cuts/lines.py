@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found, piece_of
@@ -34,7 +35,7 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     taken: set[int] = set()
     lines = [(k, item) for k, item in enumerate(parts.items) if not item.filled and not item.closed]
     scale = (whole.scale + parts.scale) / 2
-    order = sorted(range(len(whole.items)), key=lambda k: (-whole.items[k].length, k))
+    order = np.argsort(-comparable([item.length for item in whole.items]), kind="stable").tolist()
     for k in order:
         item = whole.items[k]
         if item.filled or item.shape in kept or not _opaque(item):
