@@ -6,6 +6,10 @@ from shapetween.base.arrays import Floats, Index
 
 __all__ = ["KEYFRAME_TOLERANCE", "keyframes"]
 
+#: Coordinates that are looked at in one go. More no longer fit in a processor's cache; with fewer
+#: most of the time goes to calls.
+AT_ONCE = 20_000
+
 #: How far a control point may be from its place between two keyframes, as a share of the view
 #: box's larger side: 0.18 px at 1000 px, which with the default rounding stays within a quarter of
 #: a pixel. Larger and the in-betweens drift visibly; smaller and the file grows for nothing seen.
@@ -44,27 +48,52 @@ def keyframes(samples: Floats, times: Floats, tolerance: float, most: int | None
     chosen = [0]
     # The points that were too far before are the likeliest to be so again.
     watched: list[int] = []
+    step = 1
     while chosen[-1] < last and (most is None or len(chosen) <= most):
         start = chosen[-1]
         end = start + 1
         while end < last:
-            some, when = samples[start : end + 2], times[start : end + 2]
-            if watched and _farthest(some[:, watched], when)[1] > tolerance:
+            # As far as the last step went, then twice as far, as long as it fits.
+            fit = AT_ONCE // (samples[0].size * (end - start + step))
+            ends = max(1, min(step, fit, last - end))
+            some, when = samples[start : end + ends + 1], times[start : end + ends + 1]
+            if ends == 1 and watched and _farthest(some[:, watched], when, 1)[1][0] > tolerance:
                 break
-            point, distance = _farthest(some, when)
-            if distance > tolerance:
-                watched.append(point)
+            points, distances = _farthest(some, when, ends)
+            over = distances > tolerance
+            if over.any():
+                first = int(over.argmax())
+                watched.append(int(points[first]))
+                end += first
                 break
-            end += 1
+            end += ends
+            step = 2 * step
+        step = end - start
         chosen.append(end)
     return np.array(chosen, np.intp)
 
 
-def _farthest(samples: Floats, times: Floats) -> tuple[int, float]:
-    """The point farthest from its straight way from the first to the last sample, and how far."""
-    span = times[-1] - times[0]
-    share = ((times[1:-1] - times[0]) / (span if span > 0 else 1.0))[:, None, None]
-    straight = (1 - share) * samples[0] + share * samples[-1]
-    away = ((samples[1:-1] - straight) ** 2).sum(-1).max(axis=0)
-    point = int(away.argmax())
-    return point, float(np.sqrt(away[point]))
+def _farthest(samples: Floats, times: Floats, ends: int) -> tuple[Index, Floats]:
+    """The point farthest from its straight way from the first sample on, and how far it is.
+
+    On the ways to each of so many samples at the end: (ends,) and (ends,).
+    """
+    inner, span = times[1:-1] - times[0], times[-ends:] - times[0]
+    if not (span > 0).all():
+        span = np.where(span > 0, span, 1.0)
+    share = (inner / span[:, None])[..., None, None]
+    away = _squares(samples[1:-1] - ((1 - share) * samples[0] + share * samples[-ends:, None]))
+    if ends > 1:  # what comes after an end is none of its way
+        away[np.tri(len(inner), ends, ends - len(inner) - 1, dtype=bool).T] = 0.0
+    away = away.max(axis=1)
+    points = away.argmax(axis=1)
+    return points, np.sqrt(away.max(axis=1))
+
+
+def _squares(vectors: Floats) -> Floats:
+    """Squares of lengths, (..., D) to (...,); sums along short axes are slow."""
+    squares = vectors * vectors
+    total = squares[..., 0]
+    for k in range(1, vectors.shape[-1]):
+        total = total + squares[..., k]
+    return np.asarray(total)

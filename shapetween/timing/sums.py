@@ -197,10 +197,10 @@ def _ease(handles: tuple[float, float, float, float], clock: Floats) -> Floats:
 
 def _compressed(values: Floats) -> Floats:
     """Fewer columns with the same products among rows, (S, D) to (S, R)."""
-    gram = values @ values.T
-    powers, axes = np.linalg.eigh(gram)
+    few = values.shape[1] < len(values)
+    powers, axes = np.linalg.eigh(values.T @ values if few else values @ values.T)
     kept = powers > NOISE**2 * powers[-1]
-    return np.asarray(axes[:, kept] * np.sqrt(powers[kept]))
+    return np.asarray(values @ axes[:, kept] if few else axes[:, kept] * np.sqrt(powers[kept]))
 
 
 class _Pursuit:
@@ -267,14 +267,18 @@ def _worst(easings: Floats, moved: Floats, whole: Floats) -> Floats:
     """How far each point is off at its worst, (K,), where the best sum of these easings is."""
     left = moved - easings[:, :1] * whole
     if easings.shape[1] > 1:
-        basis = _basis(easings)
-        left = left - basis @ np.linalg.lstsq(basis, left, rcond=None)[0]
-    return np.asarray(_lengths(left).max(axis=0))
+        basis = np.linalg.qr(_basis(easings))[0]
+        left -= basis @ (basis.T @ left)
+    return _longest(left)
 
 
-def _lengths(values: Floats) -> Floats:
-    """Lengths of vectors whose coordinates follow each other, (S, 2 K) to (S, K)."""
-    return np.asarray(np.sqrt((values.reshape(len(values), -1, 2) ** 2).sum(-1)))
+def _longest(values: Floats) -> Floats:
+    """Greatest lengths in each column of vectors whose coordinates follow each other.
+
+    (S, 2 K) to (K,).
+    """
+    squares = values * values
+    return np.asarray(np.sqrt((squares[:, ::2] + squares[:, 1::2]).max(axis=0)))
 
 
 def _coarsely_rounded(
@@ -287,7 +291,7 @@ def _coarsely_rounded(
     grids = np.full(len(r), COARSEST)
     while True:
         terms = _rounded(r, target, whole, grids)
-        if (_lengths(easings @ terms - moved) * importance).max() <= tolerance:
+        if (_longest(easings @ terms - moved) * importance).max() <= tolerance:
             return terms
         if (grids == 1).all():
             return None
