@@ -179,6 +179,8 @@ def _parts(places: Places, shares: Floats) -> Curves:
         parts[k] = parts[k, 0]
         if k + 1 < len(parts):
             parts[k, 3] = parts[k + 1, 0]
+        elif places.outline.closed:
+            parts[k, 3] = parts[0, 0]
     return parts
 
 

@@ -23,12 +23,16 @@ def box_blend(one: RoundedBox, other: RoundedBox, source: Places, target: Places
     if other.round:
         other = RoundedBox(other.centre, other.sides, one.angle, other.radii)
     choices = []
+    # A line is a box of no height.
+    least = 1e-9 * float(max(one.sides.max(), other.sides.max()))
     for quarter in range(-1, 3):
         turn = other.angle - one.angle + quarter * np.pi / 2
         turn = float((turn + np.pi) % (2 * np.pi) - np.pi)
         turn += np.pi * 2 * (turn < HALF_TIE - np.pi)
         sides = other.sides[::-1] if quarter % 2 else other.sides
-        change = float(np.abs(np.log(one.sides / np.maximum(sides, 1e-9))).sum())
+        change = float(
+            np.abs(np.log(np.maximum(one.sides, least) / np.maximum(sides, least))).sum()
+        )
         cost = change + RIGHT_ANGLE * abs(turn) / (np.pi / 2)
         choices.append((round(cost, 6), turn < 0, turn, quarter))
     _, _, turn, quarter = min(choices)

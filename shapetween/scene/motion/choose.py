@@ -15,16 +15,10 @@ from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
+from shapetween.scene.motion.bend_knots import along_knots, half_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
 from shapetween.scene.motion.holes import hole_tracks
-from shapetween.scene.motion.knots import (
-    along_knots,
-    anchored_knots,
-    graph_knots,
-    half_knots,
-    kinks_of,
-    ring_knots,
-)
+from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
@@ -102,12 +96,15 @@ def tracks_of(
         source, target = (
             Places(item.outer if item.closed else _folded(item.outer)) for item in (first, second)
         )
+        one, other = _as_box(first, ends.forms[0]), _as_box(second, ends.forms[1])
+        if one is not None and other is not None:
+            return (box_blend(one, other, source, target),), ()
         pieces = cut_alike(source, target, *ring_knots(source, target))
         return (_blend(pieces, first, second, 0.0),), ()
     if first.closed:
-        pieces = _opening(Places(first.outer), Places(second.outer))
+        pieces = _opening(Places(first.outer), Places(second.outer), ends.symmetric)
     else:
-        back = _opening(Places(second.outer), Places(first.outer))
+        back = _opening(Places(second.outer), Places(first.outer), ends.symmetric)
         pieces = Pieces(back.target, back.source, False)
     return (_blend(pieces, first, second, 0.0),), ()
 
@@ -208,8 +205,6 @@ def _halves(ends: Ends, source: Places, target: Places) -> Blend | None:
     if crossings[0] is None or crossings[1] is None:
         return None
     knots = half_knots(source, target, crossings[0], crossings[1])
-    if knots is None:
-        return None
     return _blend(cut_alike(source, target, *knots), ends.first, ends.second, 0.0)
 
 
@@ -224,8 +219,13 @@ def _crossings(places: Places, middle: Points, flips: int) -> tuple[float, float
     sign = np.sign(side)
     found = []
     for k in np.flatnonzero(sign[:-1] * sign[1:] < 0):
-        part = side[k] / (side[k] - side[k + 1])
-        found.append(shares[k] + part * (shares[k + 1] - shares[k]))
+        # Halved until rounding: what is a little off the axis leans.
+        low, high = shares[k], shares[k + 1]
+        for _ in range(40):
+            half = (low + high) / 2
+            there = places.point(np.array([half]))[0, flips] - middle[flips]
+            low, high = (half, high) if there * side[k] > 0 else (low, half)
+        found.append((low + high) / 2)
     for k in np.flatnonzero(sign[:-1] == 0):
         before, after = sign[k - 1 if k else -2], sign[k + 1]
         if before * after < 0:
@@ -251,7 +251,7 @@ def _open(ends: Ends) -> Blend:
         knots = graph_knots(source, target, SAME * ends.scale)
         if knots is not None:
             return _blend(cut_alike(source, target, *knots), first, second, 0.0)
-        u, v, cost = along_knots(source, target)
+        u, v, cost = along_knots(source, target, mirrored=ends.symmetric >= 0)
         if isinstance(one, OpenLine) and isinstance(other, OpenLine):
             corners = other.corners, other.turns
             if backwards:
@@ -262,8 +262,6 @@ def _open(ends: Ends) -> Blend:
                 u = np.concatenate([[0.0], one.corners, [1.0]])
                 v = np.concatenate([[0.0], corners[0], [1.0]])
                 cost *= 0.6
-        if ends.symmetric >= 0:
-            u, v = _evened(u, v)
         way = np.linalg.norm(source.point(np.array([0.0, 1.0])) - outline.curves[[0, -1], [0, 3]])
         pieces = cut_alike(source, target, u, v)
         turn, rest = _turn(source, target, u, v)
@@ -272,14 +270,6 @@ def _open(ends: Ends) -> Blend:
             best = cost, _blend(pieces, first, second, turn)
     assert best is not None
     return best[1]
-
-
-def _evened(u: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Knots of two lines that are their own mirror images, made so themselves."""
-    both = np.unique(np.round(np.concatenate([u, 1 - u]), 9))
-    both[0], both[-1] = 0.0, 1.0
-    image = np.interp(both, u, v)
-    return both, np.asarray((image + 1 - np.interp(1 - both, u, v)) / 2)
 
 
 def _segments(first: Item, second: Item) -> Blend:
@@ -318,33 +308,37 @@ def _turn(source: Places, target: Places, u: Floats, v: Floats) -> tuple[float, 
     return 0.0, float(unturned)
 
 
-def _opening(ring: Places, line: Places) -> Pieces:
+def _opening(ring: Places, line: Places, flips: int) -> Pieces:
     """A ring that is cut and becomes a line, where it is nearest to it, each in its own box.
 
     If only a part of it is near the line, that becomes the line, and the rest goes into its ends.
+    Of their own mirror images about one axis the ring is cut on it.
     """
-    count = 4 * CUTS
+    crossings = None
+    if flips >= 0:
+        box = ring.outline.curves.reshape(-1, 2)
+        crossings = _crossings(ring, (box.min(axis=0) + box.max(axis=0)) / 2, flips)
+    mirrored = crossings is not None
+    cuts = np.arange(CUTS) / CUTS if crossings is None else np.array(crossings) % 1.0
     steps = np.linspace(0.0, 1.0, 33)
-    there = line.point(steps)
-    every = ring.point(np.arange(count) / count)
+    there = _in_box(line.point(steps))
     best: tuple[float, float, bool, float] | None = None
-    for part in PARTS:
-        starts = np.arange(CUTS)[:, None]
+    for part in PARTS[:1] if mirrored else PARTS:
         for backwards in (False, True):
-            ahead = np.round((-1 if backwards else 1) * part * steps * count).astype(np.intp)
-            at = (4 * starts + ahead) % count
-            costs = np.linalg.norm(_in_box(every[at]) - _in_box(there), axis=-1).mean(axis=1)
+            ahead = (-1 if backwards else 1) * part * steps
+            every = ring.point((cuts[:, None] + ahead).ravel()).reshape(len(cuts), -1, 2)
+            costs = np.linalg.norm(_in_box(every) - there, axis=-1).mean(axis=1)
             k = int(np.round(costs, 6).argmin())
             cost = float(costs[k]) if part == 1.0 else float(costs[k]) / PART_BETTER
             if best is None or cost < best[0] - 1e-6:
-                best = cost, k / CUTS, backwards, part
+                best = cost, float(cuts[k]), backwards, part
     assert best is not None
     _, start, backwards, part = best
     rest = (1 - part) / 2
     outline = opened(ring, (start + rest if backwards else start - rest) % 1.0)
     source = Places(outline.reversed() if backwards else outline)
     if part == 1.0:
-        u, v, _ = along_knots(source, line)
+        u, v, _ = along_knots(source, line, mirrored=mirrored)
         return cut_alike(source, line, u, v)
     inner = np.array([0.0, rest, 1 - rest, 1.0])
     return cut_alike(source, line, inner, np.array([0.0, 0.0, 1.0, 1.0]))
@@ -359,6 +353,19 @@ def _round(item: Item) -> bool:
 def _folded(line: Outline) -> Outline:
     """A line there and back, which looks the same under round caps."""
     return Outline(np.concatenate([line.curves, line.reversed().curves]), True)
+
+
+def _as_box(item: Item, form: Form) -> RoundedBox | None:
+    """A straight line as a box of no height, and a dot as the disc that it is."""
+    if isinstance(form, Segment):
+        way = form.end - form.start
+        sides = np.array([float(np.hypot(*way)), 0.0])
+        angle = float(np.arctan2(way[1], way[0]))
+        return RoundedBox((form.start + form.end) / 2, sides, angle, np.zeros(2))
+    if isinstance(form, Dot):
+        sides = np.asarray(np.ptp(item.box, axis=0))
+        return RoundedBox(item.box.mean(axis=0), sides, 0.0, sides / 2)
+    return None
 
 
 def _in_box(points: Points) -> Points:

@@ -8,8 +8,8 @@ from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
+from shapetween.scene.motion.bend_knots import ring_knots
 from shapetween.scene.motion.boxes import box_blend
-from shapetween.scene.motion.knots import ring_knots
 from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces, Places, cut_alike

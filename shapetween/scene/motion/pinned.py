@@ -5,7 +5,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Points
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
-from shapetween.scene.motion.knots import along_knots, ring_knots
+from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.relations import Scene
 
