@@ -1,215 +1,209 @@
-"""How each item without a partner goes, by how it lies; what comes does the same backwards."""
+"""How each item without a partner goes, by how it lies; what comes does the same backwards.
+
+What lies in something that stays, or is loose, shrinks about its middle; what touches something
+that stays shrinks into the contact; lines are retracted along their length. So everything is seen
+whole or not at all, and nothing through anything else.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Points
-from shapetween.model.outline import Outline
+from shapetween.base.arrays import Points
 from shapetween.scene.asked import Change
-from shapetween.scene.forms import Dot, OpenLine, Segment
-from shapetween.scene.items import Item
-from shapetween.scene.motion.tracks import Frame, Track
-from shapetween.scene.places import Places, cut_alike
-from shapetween.scene.presence import LAST, Carry, Kept, Leaving, LonePart
+from shapetween.scene.clusters import (
+    Cluster,
+    Hosts,
+    clusters_of,
+    contact,
+    is_line,
+    staying_parent,
+)
+from shapetween.scene.forms import RoundedBox
+from shapetween.scene.gaps import timed_gaps
+from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
+from shapetween.scene.presence import Leaving
 from shapetween.scene.relations import Scene
-from shapetween.scene.strokes import StrokedLonePart, stroked_lone_part
+from shapetween.scene.retracting import first_end, gap_going, retracted_lines
 
-__all__ = ["leaving_part"]
+__all__ = ["goings_between"]
 
-#: When a child of a part that stays goes, when what is loose does, and when it does where nothing
-#: stays at all.
-CHILD, LOOSE, EMPTY = (0.05, 0.58), (0.0, 0.45), (0.0, 0.72)
-
-#: Share of its own size along which a fill must touch another for it to go into that.
+#: Share of a part's own size along which it must touch the border it lies at, from inside, to
+#: shrink into that. Smaller, and what only nears the border goes sideways.
 TOUCHES = 0.35
 
-#: Size at last of what goes behind another.
-HIDDEN = 0.55
+#: Sum of differences of colour from what an item lies on up to which it is shade or shine: it
+#: melts into that, since shrinking shades are more seen than melting ones. Larger, and ghosts of
+#: eyes and mouths are seen.
+SHADE = 0.16
 
-#: How near a line's end is to what it lies on, in widths.
-ON = 0.6
+#: Share of shade that lies on what it is the shade of, and not in its holes.
+LIES_ON = 0.8
 
-#: Share of leaving from which on a line that shrinks into its middle fades.
-DOTTED = 0.5
-
-#: Size that a fill which fades where it is has at last, and one that lies in another.
-FADED, FADED_CHILD = 0.65, 0.6
+#: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.
+SLIM = 1.6
 
 
-def leaving_part(
-    k: int,
-    scene: Scene,
-    hosts: dict[int, tuple[Track, ...]],
-    arrives: bool,
-    frame: Frame | None,
+def goings_between(
+    scenes: tuple[Scene, Scene],
+    hosts: tuple[Hosts, Hosts],
+    lone: tuple[Sequence[int], Sequence[int]],
     change: Change | None = None,
-) -> LonePart | StrokedLonePart:
-    """The part of an item without a partner.
+) -> tuple[dict[int, Going], dict[int, Going]]:
+    """How the items of two drawings that have no partners go, and come.
 
     Parameters
     ----------
-    k : int
-        Which item.
-    scene : Scene
-    hosts : dict of int to tuple of Track
+    scenes : (Scene, Scene)
+    hosts : (mapping of int to sequence of Track, ...)
         Of the items that have partners.
-    arrives : bool
-        Whether it comes.
-    frame : Frame or None
-        What the whole drawing moves in.
+    lone : (sequence of int, sequence of int)
     change : str, optional
-        How it goes, if the user says so. What cannot be drawn along its length grows instead.
+        How they go, if the user says so. What cannot be drawn along its length grows instead.
     """
-    item = scene.items[k]
-    leaving, host = _leaving(k, scene, hosts, arrives)
-    if change is not None and not scene.sheets[k]:
-        leaving = _asked(change, leaving, k, scene, hosts)
-    carry = None
-    if host is not None:
-        carry = Carry.near(hosts[host][0], item.centre, scene.scale, float(arrives))
-    rings = [ring.curves for ring in item.rings]
-    closed = tuple(ring.closed for ring in item.rings)
-    if item.filled:
-        rings[1:] = [curves[::-1, ::-1] for curves in rings[1:]]
-    if leaving.drawn == "both":
-        rings, closed = _halves(item.outer), (False, False)
-    if item.painted is not None:
-        style = item.painted.style
-        line = LonePart(item.name, style, tuple(rings), closed, leaving, arrives, carry)
-        stroked = stroked_lone_part(line, item, frame)
-        if stroked is not None:
-            return stroked
-    return LonePart(item.name, item.style, tuple(rings), closed, leaving, arrives, carry, frame)
+    gaps = [
+        tuple(s.items[k] for k in own if s.items[k].cut and not s.items[k].filled)
+        for s, own in zip(scenes, lone, strict=True)
+    ]
+    sides = (
+        Side(scenes[0], hosts[0], False, gaps[1]),
+        Side(scenes[1], hosts[1], True, gaps[0]),
+    )
+    first, second = (_goings(s, own, change) for s, own in zip(sides, lone, strict=True))
+    timed_gaps(sides[0], sides[1], first, second)
+    timed_gaps(sides[1], sides[0], second, first)
+    return first, second
 
 
-def _halves(line: Outline) -> list[Curves]:
-    """A line cut in its middle."""
-    cut = np.array([0.0, 0.5, 1.0])
-    places = Places(line)
-    pieces = cut_alike(places, places, cut, cut).source
-    middle = places.point(np.array([0.5]))[0]
-    k = int(np.linalg.norm(pieces[:, 0] - middle, axis=1).argmin())
-    return [pieces[:k], pieces[k:]]
+def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> dict[int, Going]:
+    found: dict[int, Going] = {}
+    clustered = []
+    for k in lone:
+        alone = _by_itself(k, side)
+        if alone is None:
+            clustered.append(k)
+        else:
+            found[k] = alone
+    for cluster in clusters_of(clustered, side.scene, side.hosts):
+        found |= _together(cluster, side)
+    if change is not None:
+        for k in lone:
+            if not side.scene.sheets[k]:
+                found[k] = _asked(change, found[k], k, side)
+    return found
 
 
-def _asked(
-    change: Change, leaving: Leaving, k: int, scene: Scene, hosts: dict[int, tuple[Track, ...]]
-) -> Leaving:
+def _by_itself(k: int, side: Side) -> Going | None:
+    """How an item goes that no other one concerns; None for what is looked at with others."""
+    scene, item = side.scene, side.scene.items[k]
+    if scene.sheets[k]:
+        return Going(Leaving((0.0, 1.0), fades=True))
+    host = int(scene.outlined[k])
+    if host in side.hosts:
+        return Going(Leaving(side.window, fades=True), side.carry(host, item.centre, "at"))
+    if item.cut and not item.filled:
+        return gap_going(k, side)
+    parent = staying_parent(k, scene, side.hosts)
+    if parent is not None and item.filled and scene.items[parent].filled:
+        away = np.abs(scene.colours[k] - scene.colours[parent]).sum()
+        if away < SHADE and scene.common[k, parent] > LIES_ON * item.area:
+            return Going(Leaving(side.window, fades=True), side.carry(parent, item.centre, "in"))
+    return None
+
+
+def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
+    """How items go that touch each other."""
+    lines = retracted_lines(cluster, side) if cluster.lines else None
+    if lines is not None:
+        return lines
+    members = cluster.members
+    place, host, how = _shrinks_to(cluster, side)
+    leaving = Leaving(side.window, place)
+    return {k: Going(leaving, side.carry(host, place, how)) for k in members}
+
+
+def _shrinks_to(
+    cluster: Cluster, side: Side
+) -> tuple[Points, int | None, Literal["in", "at", "beside"]]:
+    """The place that a cluster shrinks to, and what that is carried by, and how."""
+    scene, members, parent = side.scene, cluster.members, cluster.parent
+    if parent is not None:
+        if scene.items[parent].closed:
+            place, length = contact(members, parent, scene, inside=True)
+            if length > TOUCHES * max(scene.sizes[k] for k in members):
+                return place, parent, "in"
+        return _middle(members, scene), parent, "in"
+    touched = [
+        j for j in side.hosts if not scene.sheets[j] and any(scene.touching[k, j] for k in members)
+    ]
+    if touched:
+        found = {j: contact(members, j, scene, inside=False) for j in touched}
+        host = max(touched, key=lambda j: (round(found[j][1], 9), -j))
+        if _behind(members, host, scene):
+            return scene.items[host].centre, host, "in"
+        return found[host][0], host, "at"
+    beside = nearest_beside(members, side)
+    if len(members) == 1 and beside is not None:
+        end = _slim_end(members[0], beside, scene)
+        if end is not None:
+            return end, beside, "beside"
+    return _middle(members, scene), beside, "beside"
+
+
+def _middle(members: Sequence[int], scene: Scene) -> Points:
+    """The middle of the one that is around the others, else of the box of all."""
+    largest = max(members, key=lambda k: (round(float(scene.sizes[k]), 9), -k))
+    box = scene.items[largest].box
+    boxes = np.array([scene.items[k].box for k in members])
+    slack = 0.02 * scene.scale
+    if (boxes[:, 0] >= box[0] - slack).all() and (boxes[:, 1] <= box[1] + slack).all():
+        return scene.items[largest].centre
+    return np.asarray((boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2)
+
+
+def _behind(members: Sequence[int], host: int, scene: Scene) -> bool:
+    """Whether something looks out from behind another all around, as the rays of a sun do."""
+    import shapely
+
+    if len(members) > 1 or members[0] > host or not scene.items[host].closed:
+        return False
+    item = scene.items[members[0]]
+    box, inner = item.enclosed, scene.items[host].enclosed
+    middle = shapely.Point(scene.items[host].centre)
+    return bool(box.contains(middle) and box.area < 4 * inner.area and not item.holes)
+
+
+def _slim_end(k: int, host: int, scene: Scene) -> Points | None:
+    """The end of a slim box that points to what is beside it."""
+    form = scene.forms[k]
+    if not isinstance(form, RoundedBox) or form.sides.max() < SLIM * form.sides.min():
+        return None
+    long = int(form.sides.argmax())
+    along = np.array([np.cos(form.angle), np.sin(form.angle)])
+    if long:
+        along = np.array([-along[1], along[0]])
+    ends = form.centre + np.array([[-0.5], [0.5]]) * form.sides[long] * along
+    near = nearer_end(ends, host, scene)
+    return None if near is None else ends[near]
+
+
+def _asked(change: Change, going: Going, k: int, side: Side) -> Going:
     """The same time, but in the way that the user asks for."""
-    item, window = scene.items[k], leaving.window
-    if change == "draw" and not item.filled:
-        return Leaving(window, drawn="start", fades=False)
+    scene, item, hosts = side.scene, side.scene.items[k], side.hosts
+    window = going.leaving.window
+    carries = going.carries[:1]
+    if change == "draw" and is_line(k, scene):
+        kept = going.leaving.kept
+        if kept is None:
+            kept = first_end(item.outer.curves[[0, -1], [0, 3]])
+        return replace(going, leaving=Leaving(window, kept=kept))
     if change == "slide" and hosts:
         away = np.linalg.norm(scene.centres[list(hosts)] - item.centre, axis=1)
         larger = np.array([scene.sizes[j] >= scene.sizes[k] for j in hosts])
         nearest = list(hosts)[int(np.where(larger, away, np.inf).argmin())]
-        return Leaving(window, scene.items[nearest].centre, 0.0, fades=False)
+        return Going(Leaving(window, scene.items[nearest].centre), carries)
     if change == "fade":
-        return Leaving(window)
-    return Leaving(window, item.centre, 0.0, fades=False)
-
-
-def _leaving(
-    k: int, scene: Scene, hosts: dict[int, tuple[Track, ...]], arrives: bool
-) -> tuple[Leaving, int | None]:
-    """How an item goes, and what carries it meanwhile."""
-    item, form = scene.items[k], scene.forms[k]
-    window = LOOSE if hosts else EMPTY
-    if scene.sheets[k]:
-        return Leaving((0.0, 1.0)), None
-    if scene.outlined[k] >= 0 and int(scene.outlined[k]) in hosts:
-        return Leaving(CHILD), int(scene.outlined[k])
-    parent = _staying(int(scene.parents[k]), scene, hosts)
-    if isinstance(form, Segment | OpenLine) and not isinstance(form, Dot):
-        return _line(k, item, scene, hosts, window, parent, arrives)
-    if parent is not None:
-        return Leaving(CHILD, item.centre, FADED_CHILD), parent
-    touched = [j for j in hosts if scene.touching[k, j] and not scene.sheets[j]]
-    if touched and item.filled:
-        host = max(touched, key=lambda j: (_contact(scene, k, j)[1], -j))
-        place, length = _contact(scene, k, host)
-        if _behind(scene, k, host):
-            return Leaving(window, scene.items[host].centre, HIDDEN, fades=False), host
-        if length > TOUCHES * item.size:
-            return Leaving(window, place, 0.0, fades=False), host
-    return Leaving(window, item.centre, FADED), None
-
-
-def _behind(scene: Scene, k: int, host: int) -> bool:
-    """Whether an item looks out from behind another all around, as the rays of a sun do."""
-    import shapely
-
-    if k > host or not scene.items[host].closed:
-        return False
-    middle = shapely.Point(scene.items[host].centre)
-    box = scene.items[k].enclosed
-    inner = scene.items[host].enclosed
-    return bool(box.contains(middle) and box.area < 4 * inner.area and not scene.items[k].holes)
-
-
-def _staying(parent: int, scene: Scene, hosts: dict[int, tuple[Track, ...]]) -> int | None:
-    """The nearest item around one that has a partner."""
-    while parent >= 0:
-        if parent in hosts:
-            return parent
-        parent = int(scene.parents[parent])
-    return None
-
-
-def _contact(scene: Scene, k: int, other: int) -> tuple[Points, float]:
-    """Where two items touch, and along what length."""
-    import shapely
-
-    one, two = scene.items[k].drawn, scene.items[other].drawn
-    reach = 0.004 * scene.scale
-    shared = shapely.intersection(shapely.boundary(one), two.buffer(reach))
-    if shared.is_empty:
-        return scene.items[k].centre, 0.0
-    middle = shared.centroid
-    length = float(np.hypot(*np.diff(np.reshape(shared.bounds, (2, 2)), axis=0)[0]))
-    return np.array([middle.x, middle.y]), length
-
-
-def _line(
-    k: int,
-    item: Item,
-    scene: Scene,
-    hosts: dict[int, tuple[Track, ...]],
-    window: tuple[float, float],
-    parent: int | None,
-    arrives: bool,
-) -> tuple[Leaving, int | None]:
-    """A line is retracted to what it lies on, to its middle, or to its first end."""
-    import shapely
-
-    others = [j for j in range(len(scene.items)) if j != k and scene.touching[k, j]]
-    ends = shapely.points(item.outer.curves[[0, -1], [0, 3]])
-    reach = ON * item.width
-    on = [False, False]
-    host = None
-    for j in others:
-        if scene.sheets[j] or scene.items[j].filled:
-            continue
-        near = shapely.distance(scene.items[j].drawn, ends) <= reach - item.width / 2
-        on = [a or bool(b) for a, b in zip(on, near, strict=True)]
-        if near.any() and j in hosts:
-            host = j
-    if host is None:
-        host = parent
-    if on[0] and on[1] and not (item.style.stroke and item.style.stroke.dashes):
-        return Leaving(window, drawn="both", fades=False), host
-    if on[0] != on[1]:
-        return Leaving(window, drawn="start" if on[0] else "end", fades=False), host
-    # What goes shrinks into its middle; what comes is drawn, as one draws it.
-    kept: Kept = "start" if arrives and parent is None else "middle"
-    crossing = [j for j in others if not scene.items[j].filled and not scene.sheets[j]]
-    if crossing:
-        # What crosses others on the mirror axis shrinks into its middle, else it is undrawn.
-        axial = any(axis.mates[k] == k for axis in scene.axes)
-        return _to_middle(window, "middle" if axial else kept), host
-    return _to_middle(CHILD if parent is not None else window, kept), parent
-
-
-def _to_middle(window: tuple[float, float], kept: Kept) -> Leaving:
-    """What is left of a line in its middle would be a dot, so it fades before."""
-    last = DOTTED if kept == "middle" else LAST
-    return Leaving(window, drawn=kept, fades=False, last=last)
+        return Going(Leaving(window, fades=True), carries)
+    return Going(Leaving(window, item.centre), carries)

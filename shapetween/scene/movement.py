@@ -13,12 +13,14 @@ from shapetween.base.ranking import comparable
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import Claimed, FillSettings
-from shapetween.scene.asked import Asked, Change, Group
+from shapetween.scene.asked import Asked, Group
 from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import cut_alike_items
+from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
-from shapetween.scene.leaving import leaving_part
+from shapetween.scene.leaving import goings_between
+from shapetween.scene.lone import lone_part
 from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame, Shared, Track
 from shapetween.scene.order import Layer, layers_of
@@ -138,11 +140,11 @@ def move_scene(
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
+        goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
         parts: list[ScenePart] = []
         named: set[str] = set()
         for part in joined_parts(
-            _part(layer, a, b, roles, tracks, hosts, frame, asked.change)
-            for layer in layers_of(a, b, roles)
+            _part(layer, a, b, roles, tracks, goings, frame) for layer in layers_of(a, b, roles)
         ):
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
@@ -176,9 +178,8 @@ def _part(
     b: Scene,
     roles: Roles,
     tracks: dict[int, tuple[Track, ...]],
-    hosts: tuple[dict[int, tuple[Track, ...]], dict[int, tuple[Track, ...]]],
+    goings: tuple[dict[int, Going], dict[int, Going]],
     frame: Frame | None,
-    change: Change | None,
 ) -> ScenePart:
     if layer.pair is not None:
         role = roles.pairs[layer.pair]
@@ -186,6 +187,6 @@ def _part(
         one, other, found = as_painted(one, other, tracks[layer.pair])
         return pair_part(one, other, found, frame, layer)
     if layer.leaver is not None:
-        return leaving_part(layer.leaver, a, hosts[0], False, frame, change)
+        return lone_part(a.items[layer.leaver], goings[0][layer.leaver], False, frame)
     assert layer.comer is not None
-    return leaving_part(layer.comer, b, hosts[1], True, frame, change)
+    return lone_part(b.items[layer.comer], goings[1][layer.comer], True, frame)

@@ -1,31 +1,40 @@
-"""How what has no partner comes and goes: drawn along its length, grown at a contact, or faded.
+"""How what has no partner comes and goes: drawn along its length, or grown, and rarely faded.
 
 Everything is told as leaving; what comes does the same backwards.
 """
 
 from dataclasses import dataclass, replace
-from typing import Literal, TypeAlias
 
 import numpy as np
 
 from shapetween.base.arrays import Affine, Curves, Floats, Points
-from shapetween.geometry.bezier import sub_curves
-from shapetween.geometry.linearmaps import as_complex
+from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.model.gradients import has_gradient, moved_style
-from shapetween.model.paint import Style
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Stroke, Style
 from shapetween.scene.motion.tracks import Frame, Track
 from shapetween.scene.places import Places
 
-__all__ = ["Carry", "Kept", "Leaving", "LonePart", "smooth_step"]
+__all__ = ["BOTH", "Carry", "Leaving", "LonePart", "smooth_step"]
 
 #: How soon a contour's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.02
 
-#: Share of leaving from which on what shrinks or is retracted also fades: no dot is left.
-LAST = 0.9
+#: Share of leaving from which on what is retracted also fades: no dot is left. Smaller, and ghosts
+#: of lines are seen; at 1, round caps vanish at once.
+LAST = 0.96
 
-Kept: TypeAlias = Literal["start", "end", "middle", "both", "none"]
-"""Which end of a line stays longest."""
+#: Powers of time by which parts shrink and lines are retracted: slowly at first, or what comes is a
+#: speck too long.
+SHRINKS, RETRACTS = 3, 2
+
+#: Least and greatest growth of what carries a part along that the part takes up. Farther, and what
+#: leaves a thing that itself collapses would be a speck, or as large as the drawing.
+GROWTH = (0.3, 3.0)
+
+#: What stays longest of a line that is retracted to both its ends, which is cut in its middle.
+BOTH = (0.0, 1.0)
 
 
 def smooth_step(t: Floats) -> Floats:
@@ -42,29 +51,57 @@ class Carry:
     ----------
     track : Track
         The part's.
-    weights : (H,) float64
-        What each of its curves' starts counts, together 1.
+    place : (2,) float64
+        What is carried, at home.
+    reach : float
+        Distance within which an outline's own movement counts fully, in the drawing's units.
     end : float
         When the item is whole: 0 or 1.
+    grows : bool
+        Whether what is carried turns and grows as the part does, or is only moved.
     """
 
     track: Track
-    weights: Floats
+    place: Points
+    reach: float
     end: float
+    grows: bool = True
 
-    @classmethod
-    def near(cls, track: Track, place: Points, scale: float, end: float) -> "Carry":
-        """Carried as what of the part's outline is near a place (2,)."""
-        starts = track.curves(np.array([end]))[0, :, 0]
-        away = np.linalg.norm(starts - place, axis=1)
-        weights = 1 / (away + NEAR * scale) ** 3
-        return cls(track, weights / weights.sum(), end)
+    def moved(self, t: Floats) -> tuple[Points, Floats]:
+        """Where the place is at the times (F,), (F, 2), and turn and growth, (F,) complex128.
 
-    def shift(self, t: Floats) -> Points:
-        """How far it is from its own place at the times (F,), (F, 2)."""
-        starts = self.track.curves(np.append(t, self.end))[:, :, 0]
-        places = np.einsum("h,fhd->fd", self.weights, starts)
-        return np.asarray(places[:-1] - places[-1])
+        Notes
+        -----
+        The place moves with the similarity that fits the whole outline best, the nearer parts
+        better, and by what is left of the movement of what is next to it.
+        """
+        curves = self.track.curves(np.append(t, self.end))
+        points = evaluate(curves, np.array([0.0, 0.5, 1.0])).reshape(len(t) + 1, -1, 2)
+        home = points[-1]
+        away = np.linalg.norm(home - self.place, axis=1) + self.reach
+        near = away**-3
+        near /= near.sum()
+        if not self.grows:
+            shift = np.einsum("h,fhd->fd", near, points[:-1] - home)
+            return self.place + shift, np.ones(len(t), dtype=complex)
+        wide = 1 / away
+        wide /= wide.sum()
+        own, there = as_complex(home), as_complex(points[:-1])
+        middle, middles = wide @ own, there @ wide
+        offsets = own - middle
+        spread = float(wide @ np.abs(offsets) ** 2)
+        ratio = np.ones(len(t), dtype=complex)
+        if spread > 0:
+            ratio = ((there - middles[:, None]) * (wide * offsets.conj())).sum(axis=1) / spread
+            size = np.abs(ratio)
+            ratio = ratio / np.where(size > 0, size, 1.0) * np.clip(size, *GROWTH)
+        fitted = middles[:, None] + ratio[:, None] * (np.append(own, _one(self.place)) - middle)
+        left = (there - fitted[:, :-1]) @ near
+        return np.asarray(as_points(fitted[:, -1] + left)), ratio
+
+
+def _one(point: Points) -> complex:
+    return complex(point[0], point[1])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,29 +111,41 @@ class Leaving:
     Attributes
     ----------
     window : (float, float)
-        From when until when.
+        From when until when, as shares of the movement.
     place : (2,) float64 or None
-        Where it shrinks to.
-    smallest : float
-        Its size at last, beside its own.
-    drawn : str
-        Which end of a line stays longest: "start", "end", "middle", "both" for both ends, or
-        "none" if it is not retracted.
-    shortest : float
-        Share of a retracted line that is left at last.
+        Where it shrinks to, stroke and all, if it does.
+    kept : float, (float, float) or None
+        What stays longest of a line that is retracted, as a share of its length; `BOTH` of a line
+        that is cut in two and goes into both its ends.
     fades : bool
-        Whether it fades all the time; else only at last.
-    last : float
-        Share of leaving from which on it fades, if only at last.
+        Whether it fades all the time; else only at last, where it is retracted.
+    steady : bool
+        Whether it goes evenly; else ever faster, and what comes does ever slower.
     """
 
     window: tuple[float, float]
     place: Points | None = None
-    smallest: float = 1.0
-    drawn: Kept = "none"
-    shortest: float = 0.0
-    fades: bool = True
-    last: float = LAST
+    kept: float | tuple[float, float] | None = None
+    fades: bool = False
+    steady: bool = False
+
+    def gone(self, t: Floats, arrives: bool) -> Floats:
+        """How far it has gone at the times (F,), from 0 to 1."""
+        low, high = self.window
+        time = np.clip((t - low) / (high - low), 0.0, 1.0)
+        if arrives:
+            time = 1 - time
+        if self.fades:
+            return smooth_step(time)
+        if self.steady:
+            return np.asarray(time)
+        return np.asarray(time ** (SHRINKS if self.kept is None else RETRACTS))
+
+    def time(self, gone: float, arrives: bool) -> float:
+        """When a line has been retracted by a share."""
+        low, high = self.window
+        time = gone if self.steady else gone ** (1 / RETRACTS)
+        return low + (high - low) * (1 - time if arrives else time)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +162,8 @@ class LonePart:
     leaving : Leaving
     arrives : bool
         Whether it comes instead.
-    carry : Carry or None
+    carries : tuple of Carry
+        What each ring goes along with, or all of them, or nothing.
     frame : Frame or None
         What the whole drawing moves in.
     """
@@ -124,7 +174,7 @@ class LonePart:
     closed: tuple[bool, ...]
     leaving: Leaving
     arrives: bool
-    carry: Carry | None = None
+    carries: tuple[Carry, ...] = ()
     frame: Frame | None = None
 
     @property
@@ -132,32 +182,29 @@ class LonePart:
         """Number of curves in each ring."""
         return tuple(len(curves) for curves in self.curves_at_home)
 
-    def _gone(self, t: Floats) -> Floats:
-        """How far it has left at the times (F,), from 0 to 1."""
-        low, high = self.leaving.window
-        time = 1 - t if self.arrives else t
-        return smooth_step((time - low) / (high - low))
-
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        gone = self._gone(t)
-        leaving = self.leaving
-        kept: list[Kept] = [leaving.drawn] * len(self.curves_at_home)
-        if leaving.drawn == "both":
-            kept = ["start", "end"]
-        left = 1 - (1 - leaving.shortest) * gone
+        gone = self.leaving.gone(t, self.arrives)
+        kept = self.leaving.kept
+        shares = kept if isinstance(kept, tuple) else (kept,) * len(self.curves_at_home)
         rings = [
             np.repeat(curves[None], len(t), axis=0)
-            if end == "none"
-            else retracted(curves, left, end)
-            for curves, end in zip(self.curves_at_home, kept, strict=True)
+            if share is None
+            else retracted(curves, 1 - gone, share)
+            for curves, share in zip(self.curves_at_home, shares, strict=True)
         ]
-        result = np.concatenate(rings, axis=1)
-        if leaving.place is not None:
-            size = 1 - (1 - leaving.smallest) * gone
-            result = leaving.place + size[:, None, None, None] * (result - leaving.place)
-        if self.carry is not None:
-            result = result + self.carry.shift(t)[:, None, None]
+        place = self.leaving.place
+        if place is not None:
+            size = (1 - gone)[:, None, None, None]
+            rings = [place + size * (ring - place) for ring in rings]
+        if len(self.carries) == len(rings) > 1:
+            pairs = zip(rings, self.carries, strict=True)
+            rings = [_carried(ring, *carry.moved(t), carry) for ring, carry in pairs]
+            result = np.concatenate(rings, axis=1)
+        else:
+            result = np.concatenate(rings, axis=1)
+            for carry in self.carries:
+                result = _carried(result, *carry.moved(t), carry)
         if self.frame is not None:
             result = self.frame.carried(result, t)
         home = np.concatenate(self.curves_at_home)
@@ -168,19 +215,38 @@ class LonePart:
 
     def style(self, t: float) -> Style:
         """Paint at one time: whole at its own end, and nothing from when it is gone."""
-        gone = float(self._gone(np.array([t]))[0])
+        gone = float(self.leaving.gone(np.array([t]), self.arrives)[0])
         if t == float(self.arrives):
             return self.whole
+        style = self.whole
         if self.leaving.fades:
             seen = 1 - gone
+        elif self.leaving.kept is not None:
+            seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
         else:
-            last = self.leaving.last
-            seen = float(1 - smooth_step(np.array([(gone - last) / (1 - last)]))[0])
-        style = self.whole
+            seen = float(gone < 1)
+        if self.leaving.place is not None and style.stroke is not None and gone < 1:
+            style = replace(style, stroke=_thinned(style.stroke, 1 - gone))
         if has_gradient(style):
             curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
         return replace(style, opacity=style.opacity * seen)
+
+
+def _carried(curves: Curves, places: Points, ratio: Floats, carry: Carry) -> Curves:
+    """Curves (F, N, 4, 2) about a place that has moved, turned and grown."""
+    local = as_complex(curves - carry.place) * ratio[:, None, None]
+    return np.asarray(as_points(local) + places[:, None, None])
+
+
+def _thinned(stroke: Stroke, size: float) -> Stroke:
+    """A stroke drawn smaller."""
+    return replace(
+        stroke,
+        width=stroke.width * size,
+        dashes=tuple(dash * size for dash in stroke.dashes),
+        dash_offset=stroke.dash_offset * size,
+    )
 
 
 def _similarity(home: Points, now: Points) -> Affine:
@@ -193,15 +259,9 @@ def _similarity(home: Points, now: Points) -> Affine:
     return np.array([[ratio.real, -ratio.imag, shift.real], [ratio.imag, ratio.real, shift.imag]])
 
 
-def retracted(curves: Curves, left: Floats, kept: Kept) -> Curves:
-    """Some share (F,) of a line (N, 4, 2) at one of its ends or its middle, (F, N, 4, 2)."""
-    from shapetween.model.outline import Outline
-
-    low, high = (1 - left) / 2, (1 + left) / 2
-    if kept == "start":
-        low, high = np.zeros_like(left), left
-    elif kept == "end":
-        low, high = 1 - left, np.ones_like(left)
+def retracted(curves: Curves, left: Floats, kept: float) -> Curves:
+    """A share (F,) of a line (N, 4, 2) about a share of its length that stays, (F, N, 4, 2)."""
+    low, high = kept * (1 - left), 1 - (1 - kept) * (1 - left)
     places = Places(Outline(curves, False))
     count = len(curves)
     first, begin = places.locate(low)

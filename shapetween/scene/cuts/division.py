@@ -31,4 +31,4 @@ Found: TypeAlias = dict[int, Division]
 
 def piece_of(item: Item, ring: Outline) -> Item:
     """A piece of a line."""
-    return replace(item, rings=(ring,))
+    return replace(item, rings=(ring,), cut=True)

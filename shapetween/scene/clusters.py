@@ -1,0 +1,109 @@
+"""What comes or goes together: items without a partner that touch, or lie in one another."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.scene.forms import OpenLine, Segment
+from shapetween.scene.motion.tracks import Track
+from shapetween.scene.relations import Scene
+
+__all__ = ["Cluster", "Hosts", "clusters_of", "contact", "is_line", "staying_parent"]
+
+Hosts = Mapping[int, Sequence[Track]]
+"""Tracks of the items that have partners."""
+
+#: How near the borders of two things are that touch, as a share of the drawing.
+REACH = 0.004
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cluster:
+    """Items that come or go together.
+
+    Attributes
+    ----------
+    members : tuple of int
+        In paint order.
+    parent : int or None
+        The nearest item around all of them that stays.
+    lines : bool
+        Whether all of them are open lines.
+    """
+
+    members: tuple[int, ...]
+    parent: int | None
+    lines: bool
+
+
+def is_line(k: int, scene: Scene) -> bool:
+    """Whether an item is an open line, and longer than wide."""
+    return isinstance(scene.forms[k], Segment | OpenLine)
+
+
+def staying_parent(k: int, scene: Scene, hosts: Hosts) -> int | None:
+    """The nearest item around one that has a partner."""
+    parent = int(scene.parents[k])
+    while parent >= 0 and parent not in hosts:
+        parent = int(scene.parents[parent])
+    return parent if parent >= 0 else None
+
+
+def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster]:
+    """Items without a partner, put together with those that they touch or lie in.
+
+    Parameters
+    ----------
+    lone : sequence of int
+    scene : Scene
+    hosts : mapping of int to sequence of Track
+    """
+    around = {k: staying_parent(k, scene, hosts) for k in lone}
+    own = {k: k for k in lone}
+
+    def first(k: int) -> int:
+        while own[k] != k:
+            k = own[k]
+        return k
+
+    for at, k in enumerate(lone):
+        for j in lone[at + 1 :]:
+            inside = scene.parents[k] == j or scene.parents[j] == k
+            along = scene.outlined[k] == j or scene.outlined[j] == k
+            if inside or along or (scene.touching[k, j] and around[k] == around[j]):
+                one, other = sorted((first(k), first(j)))
+                own[other] = one
+    groups: dict[int, list[int]] = {}
+    for k in lone:
+        groups.setdefault(first(k), []).append(k)
+    return [
+        Cluster(tuple(members), around[key], all(is_line(k, scene) for k in members))
+        for key, members in groups.items()
+    ]
+
+
+def contact(members: Sequence[int], host: int, scene: Scene, inside: bool) -> tuple[Points, float]:
+    """Where some items touch another one's area, or its border from inside: middle and length.
+
+    Returns
+    -------
+    (2,) float64
+        The middle of what they share; the items' own if that is nothing.
+    float
+        The diagonal of its box, 0 for nothing.
+    """
+    import shapely
+
+    one = shapely.union_all([scene.items[k].drawn for k in members])
+    two: Any = scene.items[host].drawn
+    reach = REACH * scene.scale
+    near = shapely.boundary(two).buffer(reach) if inside else two.buffer(reach)
+    shared = shapely.intersection(shapely.boundary(one), near)
+    if shared.is_empty:
+        return np.array([one.centroid.x, one.centroid.y]), 0.0
+    middle = shared.centroid
+    length = float(np.hypot(*np.diff(np.reshape(shared.bounds, (2, 2)), axis=0)[0]))
+    return np.array([middle.x, middle.y]), length

@@ -1,0 +1,128 @@
+"""How an item without a partner goes or comes, and what it goes along with."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.scene.clusters import Hosts
+from shapetween.scene.forms import Dot, Segment
+from shapetween.scene.items import Item
+from shapetween.scene.presence import NEAR, Carry, Leaving
+from shapetween.scene.relations import Scene
+
+__all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
+
+#: When what has no partner goes, and when it comes. Leavers go early and newcomers come late, but
+#: they overlap: apart, the middle is empty; much more together, and both are seen at once.
+GOES, COMES = (0.0, 0.5), (0.4, 1.0)
+
+#: Share of its time by which each piece of a composed line waits for the one that it hangs on.
+WAITS = 0.35
+
+#: Distance from a loose part, as a share of the drawing, of what carries it along.
+BESIDE = 0.15
+
+#: Share of a line's length by which one of its ends must be nearer than the other to count so.
+NEARER = 0.4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Going:
+    """How an item goes or comes, and with what.
+
+    Attributes
+    ----------
+    leaving : Leaving
+    carries : tuple of Carry
+        One for all of it, one for each half of a line that goes into both its ends, or none.
+    cut : float
+        Where that line is cut, as a share of its length.
+    """
+
+    leaving: Leaving
+    carries: tuple[Carry, ...] = ()
+    cut: float = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Side:
+    """One drawing, what stays of it, and whether the rest comes instead of going.
+
+    Attributes
+    ----------
+    scene : Scene
+    hosts : mapping of int to sequence of Track
+        Of the items that have partners.
+    arrives : bool
+    gaps : tuple of Item
+        Pieces that are cut out of the other drawing's lines.
+    """
+
+    scene: Scene
+    hosts: Hosts
+    arrives: bool
+    gaps: tuple[Item, ...] = ()
+
+    @property
+    def window(self) -> tuple[float, float]:
+        """When what has no partner goes or comes."""
+        return COMES if self.arrives else GOES
+
+    def carry(
+        self, host: int | None, place: Points, how: Literal["in", "at", "beside"]
+    ) -> tuple[Carry, ...]:
+        """What carries a place along that lies in an item that stays, at it, or beside it.
+
+        What lies in it turns and grows as it does; what is at it keeps to what it touches; what is
+        beside it goes with it as a whole, or a set of such things would be torn apart.
+        """
+        if host is None:
+            return ()
+        reach = self.scene.scale * (1.0 if how == "beside" else NEAR)
+        track = self.hosts[host][0]
+        return (Carry(track, place, reach, float(self.arrives), how == "in"),)
+
+    def part_of(self, step: int, steps: int) -> tuple[float, float]:
+        """The window of one of several that come or go one after the other."""
+        low, high = self.window
+        if steps == 1:
+            return low, high
+        wait = WAITS * (high - low) * (1 if self.arrives else -1) / (steps - 1)
+        if self.arrives:
+            return low + step * wait, high - (steps - 1 - step) * wait
+        return low - (steps - 1 - step) * wait, high + step * wait
+
+
+def nearest_beside(members: Sequence[int], side: Side) -> int | None:
+    """What a loose part is carried by: the nearest larger thing that stays, and is near."""
+    import shapely
+
+    scene = side.scene
+    least = max(scene.sizes[k] for k in members)
+    hosts = [
+        j
+        for j in side.hosts
+        if not scene.sheets[j]
+        and scene.sizes[j] > least
+        and not isinstance(scene.forms[j], Segment | Dot)
+    ]
+    if not hosts:
+        return None
+    own = shapely.union_all([scene.items[k].drawn for k in members])
+    away = shapely.distance(own, np.array([scene.items[j].drawn for j in hosts], dtype=object))
+    best = int(np.round(away / scene.scale, 6).argmin())
+    return hosts[best] if away[best] < BESIDE * scene.scale else None
+
+
+def nearer_end(ends: Points, host: int, scene: Scene) -> int | None:
+    """Which of two ends is nearer to an item, if one is by much."""
+    import shapely
+
+    away = shapely.distance(scene.items[host].enclosed, shapely.points(ends))
+    length = float(np.linalg.norm(ends[1] - ends[0]))
+    if abs(away[0] - away[1]) < NEARER * length:
+        return None
+    return int(away[1] < away[0])

@@ -1,0 +1,223 @@
+"""Lines without a partner are retracted along their length, and what comes is drawn so."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.scene.clusters import Cluster, is_line
+from shapetween.scene.forms import Segment
+from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
+from shapetween.scene.items import Item
+from shapetween.scene.places import Places
+from shapetween.scene.presence import BOTH, Leaving
+from shapetween.scene.relations import Scene
+
+__all__ = ["first_end", "gap_going", "retracted_lines"]
+
+#: Length of a line, as a share of the drawing, from which on drawing it takes longer, and from
+#: which on it takes nearly all the time, as a slash does; and by how much its window grows. Else a
+#: slash would fly over the drawing.
+LONG, LONGEST, LONGER = 0.25, 0.55, 0.35
+
+#: Share of a line that lies between what stays, for it to be a slash.
+ACROSS = 0.5
+
+#: How near a line's end is to what it lies on, in widths.
+ON = 0.6
+
+
+def gap_going(k: int, side: Side) -> Going:
+    """A piece of a line that was cut out goes into what is left of it."""
+    item = side.scene.items[k]
+    ends = item.outer.curves[[0, -1], [0, 3]]
+    reach = 1e-3 * item.width
+    found: list[int | None] = [None, None]
+    for j in side.hosts:
+        other = side.scene.items[j]
+        if not other.cut or other.closed or other.shape != item.shape:
+            continue
+        theirs = other.outer.curves[[0, -1], [0, 3]]
+        for e in range(2):
+            if (np.linalg.norm(theirs - ends[e], axis=1) <= reach).any():
+                found[e] = j
+    carries = [side.carry(j, ends[e], "at") for e, j in enumerate(found)]
+    if all(carries):
+        return Going(Leaving(side.window, kept=BOTH), carries[0] + carries[1])
+    kept = 0.5 if not any(carries) else float(not carries[0])
+    return Going(Leaving(side.window, kept=kept), carries[0] or carries[1])
+
+
+def retracted_lines(cluster: Cluster, side: Side) -> dict[int, Going] | None:
+    """How lines go that touch each other; None if they are a sign by themselves."""
+    levels = _levels(cluster, side)
+    if not levels and len(cluster.members) > 1:
+        return None
+    return _retracted(cluster, levels, side)
+
+
+def _levels(cluster: Cluster, side: Side) -> list[dict[int, tuple[int | None, int | None]]]:
+    """Lines by how far they hang from what stays: what each one's ends lie on, level by level.
+
+    What lies on nothing, if others do, hangs on what it touches, by no end of its own.
+    """
+    scene = side.scene
+    stays = [
+        j
+        for j in side.hosts
+        if not scene.sheets[j] and not (scene.items[j].filled and j == cluster.parent)
+    ]
+    levels: list[dict[int, tuple[int | None, int | None]]] = []
+    rest = list(cluster.members)
+    while rest:
+        found = {k: _lies_on(k, stays, scene) for k in rest}
+        level = {k: on for k, on in found.items() if on != (None, None)}
+        if not level:
+            if not levels:
+                return []
+            level = {k: on for k, on in found.items() if scene.touching[k, stays].any()} or found
+        levels.append(level)
+        rest = [k for k in rest if k not in level]
+        stays = list(level)
+    return levels
+
+
+def _lies_on(k: int, others: Sequence[int], scene: Scene) -> tuple[int | None, int | None]:
+    """What a line's first and last end lie on."""
+    import shapely
+
+    item = scene.items[k]
+    ends = shapely.points(item.outer.curves[[0, -1], [0, 3]])
+    reach = ON * item.width - item.width / 2
+    on: list[int | None] = [None, None]
+    for j in others:
+        if not scene.touching[k, j]:
+            continue
+        near = shapely.distance(scene.items[j].drawn, ends) <= reach
+        on = [j if found else before for before, found in zip(on, near, strict=True)]
+    return on[0], on[1]
+
+
+def _retracted(
+    cluster: Cluster, levels: list[dict[int, tuple[int | None, int | None]]], side: Side
+) -> dict[int, Going]:
+    """How lines go that hang together: each to what it hangs on, the farthest first."""
+    found: dict[int, Going] = {}
+    scene = side.scene
+    for step, level in enumerate(levels):
+        window = side.part_of(step, len(levels))
+        for k, on in level.items():
+            item = scene.items[k]
+            ends = item.outer.curves[[0, -1], [0, 3]]
+            carries = [
+                ()
+                if j is None
+                else (found[j].carries[:1] if j in found else side.carry(j, end, "at"))
+                for j, end in zip(on, ends, strict=True)
+            ]
+            dashed = item.style.stroke is not None and item.style.stroke.dashes
+            if on[0] is not None and on[1] is not None and not dashed:
+                both = carries[0] + carries[1] if carries[0] and carries[1] else ()
+                found[k] = Going(Leaving(window, kept=BOTH), both)
+            elif on != (None, None):
+                leaving = Leaving(window, kept=float(on[0] is None))
+                found[k] = Going(leaving, carries[0] or carries[1])
+            else:
+                found[k] = Going(Leaving(window, kept=_touched(k, list(found), scene)))
+    if not levels:
+        (k,) = cluster.members
+        found[k] = _line_alone(k, cluster.parent, side)
+    return found
+
+
+def _touched(k: int, others: Sequence[int], scene: Scene) -> float:
+    """Share of a line at which others touch it."""
+    import shapely
+
+    places = Places(scene.items[k].outer)
+    touched = [scene.items[j].drawn for j in others if scene.touching[k, j]]
+    shared = shapely.intersection(scene.items[k].drawn, shapely.union_all(touched))
+    if shared.is_empty:
+        return 0.5
+    middle = np.array([[shared.centroid.x, shared.centroid.y]])
+    return float(places.nearest(middle)[0])
+
+
+def _line_alone(k: int, parent: int | None, side: Side) -> Going:
+    """A line that no end of lies on anything.
+
+    A slash takes its time, as the gaps that it cuts open with it. A line across one that stays
+    goes into where they cross. Any other is drawn from the end that is next to something, or as
+    one writes, from the left or from the foot; a single one on a mirror axis from its middle.
+    """
+    scene, item = side.scene, side.scene.items[k]
+    host = parent if parent is not None else nearest_beside((k,), side)
+    ends = item.outer.curves[[0, -1], [0, 3]]
+    window, steady = side.window, _slashes(k, parent, side)
+    if steady:
+        kept = first_end(ends)
+        window = _longer(window, item, scene)
+    else:
+        kept = _kept(k, parent, host, side)
+    place = Places(item.outer).point(np.array([kept]))[0]
+    how: Literal["at", "beside"] = "at" if parent is not None else "beside"
+    carries = side.carry(host, place, how) if not steady else ()
+    return Going(Leaving(window, kept=kept, steady=steady), carries)
+
+
+def _slashes(k: int, parent: int | None, side: Side) -> bool:
+    """Whether a line runs across what stays, or through gaps of the other drawing."""
+    import shapely
+
+    item = side.scene.items[k]
+    if any(shapely.distance(item.drawn, gap.drawn) <= 0 for gap in side.gaps):
+        return True
+    if parent is not None or not isinstance(side.scene.forms[k], Segment):
+        return False
+    stays = [side.scene.items[j].drawn for j in side.hosts if not side.scene.sheets[j]]
+    if not stays or item.length < LONG * side.scene.scale:
+        return False
+    line = shapely.LineString(item.outer.curves[[0, -1], [0, 3]])
+    drawn = shapely.union_all(stays)
+    within = shapely.intersection(line, shapely.convex_hull(drawn))
+    crossings = shapely.get_num_geometries(shapely.intersection(line, drawn))
+    return bool(within.length > ACROSS * line.length and crossings != 1)
+
+
+def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
+    """The share of a line that stays longest."""
+    scene, item = side.scene, side.scene.items[k]
+    crossed = [j for j in side.hosts if scene.touching[k, j] and j != parent]
+    if crossed:
+        return _touched(k, crossed, scene)
+    ends = item.outer.curves[[0, -1], [0, 3]]
+    near = nearer_end(ends, host, scene) if parent is None and host is not None else None
+    if near is not None:
+        return float(near)
+    others = [
+        j
+        for j in range(len(scene.items))
+        if j != k
+        and j not in side.hosts
+        and is_line(j, scene)
+        and scene.parents[j] == scene.parents[k]
+    ]
+    if not others and any(axis.mates[k] == k for axis in scene.axes):
+        return 0.5
+    return first_end(ends)
+
+
+def first_end(ends: Points) -> float:
+    """The end of a line that one draws it from: the left one, of an upright line the lower one."""
+    way = ends[1] - ends[0]
+    upright = abs(way[0]) < 0.2 * abs(way[1])
+    return float(way[1] > 0) if upright else float(way[0] < 0)
+
+
+def _longer(window: tuple[float, float], item: Item, scene: Scene) -> tuple[float, float]:
+    """A window that is longer for a long line."""
+    long = (item.length / scene.scale - LONG) / (LONGEST - LONG)
+    more = LONGER * float(np.clip(long, 0.0, 1.0))
+    low, high = window
+    return (low, high + more) if low == 0.0 else (max(low - more, 0.0), high)

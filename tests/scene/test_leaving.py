@@ -1,0 +1,220 @@
+"""What has no partner is seen whole or not at all: it grows, or is drawn, and is no ghost."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+import shapetween as st
+from shapetween.base.arrays import Floats
+from shapetween.model.drawing import Shape
+from shapetween.model.movement import Part
+from shapetween.scene.asked import Change
+from tests.scene.test_faults import drawn, seen
+
+ICON = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
+RING = '<circle cx="12" cy="12" r="10"/>'
+PLUS = '<path d="M12 8v8"/><path d="M8 12h8"/>'
+FACE = '<circle cx="12" cy="12" r="10" fill="#fc3"/>'
+EYES = '<circle cx="8" cy="10" r="2"/><circle cx="16" cy="10" r="2"/>'
+CLOUD = '<path d="M3 5h18v6h-18z"/>'
+
+
+def svg(tmp_path: Path, name: str, inner: str, style: str = "") -> Path:
+    file = tmp_path / f"{name}.svg"
+    file.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><g {style}>{inner}</g></svg>'
+    )
+    return file
+
+
+def morph(
+    tmp_path: Path, first: str, second: str, style: str = "", change: Change | None = None
+) -> st.Morph:
+    one, other = svg(tmp_path, "a", first, style), svg(tmp_path, "b", second, style)
+    return st.morph(one, other, change=change)
+
+
+def lone(found: st.Morph, *, arrives: bool) -> list[Part]:
+    """Parts that are there at one end only."""
+    gone = 0.0 if arrives else 1.0
+    return [
+        p
+        for p in found.prepared.movement.parts
+        if p.style(gone).opacity == 0 and p.style(1 - gone).opacity > 0
+    ]
+
+
+def opacities(part: Part, times: Floats) -> Floats:
+    return np.array([part.style(float(t)).opacity for t in times])
+
+
+def box(part: Part, t: float) -> Floats:
+    points = part.curves(np.array([t]))[0].reshape(-1, 2)
+    return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "style"),
+    [
+        (FACE, FACE + EYES, ""),
+        (FACE + EYES, FACE, ""),
+        (RING, RING + PLUS, ICON),
+        (CLOUD, CLOUD + '<path d="M5 13h2v6h-2z"/><path d="M14 13h2v6h-2z"/>', ""),
+    ],
+)
+def test_nothing_is_seen_through(tmp_path: Path, first: str, second: str, style: str) -> None:
+    """At no time is anything half seen, which is there at one end only."""
+    found = morph(tmp_path, first, second, style)
+    parts = lone(found, arrives=True) + lone(found, arrives=False)
+    assert len(parts) == 2
+    for part in parts:
+        assert set(opacities(part, np.linspace(0, 1, 41)).tolist()) == {0.0, 1.0}
+
+
+def test_eyes_open_about_their_own_middles_at_one_moment(tmp_path: Path) -> None:
+    eyes = lone(morph(tmp_path, FACE, FACE + EYES), arrives=True)
+    boxes = np.array([[box(eye, t) for t in (0.45, 0.6, 0.8, 1.0)] for eye in eyes])
+    middles = boxes.mean(axis=2)
+    np.testing.assert_allclose(middles, np.tile([[[8, 10]], [[16, 10]]], (1, 4, 1)), atol=1e-3)
+    sizes = np.ptp(boxes, axis=2)
+    np.testing.assert_allclose(sizes[0], sizes[1], rtol=1e-6)
+    assert sizes[0, 0, 0] > 0.15 * 4  # no speck, but soon after it comes a thing to be seen
+    assert (np.diff(sizes[0, :, 0]) > 0).all()
+
+
+def test_a_sign_of_lines_grows_as_one_with_its_strokes(tmp_path: Path) -> None:
+    parts = lone(morph(tmp_path, RING, RING + PLUS, ICON), arrives=True)
+    for t in (0.5, 0.7):
+        widths = {round(p.style(t).stroke.width, 6) for p in parts}  # type: ignore[union-attr]
+        lengths = {round(float(np.ptp(box(p, t), axis=0).max()), 6) for p in parts}
+        assert len(widths) == len(lengths) == 1
+        assert lengths.pop() / widths.pop() == pytest.approx(8 / 2)
+    for part in parts:
+        np.testing.assert_allclose(box(part, 0.5).mean(axis=0), [12, 12], atol=1e-6)
+
+
+def test_what_stands_at_an_edge_grows_out_of_it(tmp_path: Path) -> None:
+    """An ear has its foot on the head all the time."""
+    head = '<path d="M4 10h16v12h-16z" fill="#fc3"/>'
+    ear = '<path d="M5 11v-7l5 7z" fill="#840"/>'
+    (part,) = lone(morph(tmp_path, head, head + ear), arrives=True)
+    for t in (0.45, 0.55, 0.7, 0.9):
+        low, high = box(part, t)
+        assert high[1] >= 10 - 1e-6
+        assert 5 <= low[0] <= high[0] <= 10
+
+
+def test_what_hangs_on_a_line_that_comes_is_drawn_after_it(tmp_path: Path) -> None:
+    """A lamp's stem comes out of its shade, and the foot out of the stem."""
+    shade = '<path d="M6 3h12v7h-12z"/>'
+    stem = '<path d="M12 20V10"/><path d="M8 20h8"/>'
+    parts = lone(morph(tmp_path, shade, shade + stem, ICON), arrives=True)
+    upright = next(p for p in parts if np.ptp(box(p, 1.0)[:, 1]) > 5)
+    foot = next(p for p in parts if p is not upright)
+    assert box(upright, 0.5)[0, 1] == pytest.approx(10, abs=1e-6)
+    starts = [np.flatnonzero(opacities(p, np.linspace(0, 1, 101)) > 0)[0] for p in (upright, foot)]
+    assert starts[0] < starts[1] - 5
+    np.testing.assert_allclose(box(foot, 0.8).mean(axis=0)[0], 12, atol=0.1)
+
+
+def test_leavers_are_early_newcomers_late_and_the_middle_is_not_empty(tmp_path: Path) -> None:
+    mouth = '<path d="M7 15h10v3h-10z"/>'
+    brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
+    found = morph(tmp_path, FACE + brows, FACE + mouth)
+    away, new = lone(found, arrives=False), lone(found, arrives=True)
+    assert all(p.style(0.55).opacity == 0 for p in away)
+    assert all(p.style(0.35).opacity == 0 for p in new)
+    for t in np.linspace(0, 1, 21):
+        assert any(p.style(float(t)).opacity == 1 for p in away + new)
+
+
+def test_shade_melts_into_what_it_lies_on_and_shapes_do_not(tmp_path: Path) -> None:
+    shade = '<path d="M12 2a10 10 0 0 1 0 20a12 12 0 0 0 0-20z" fill="#f5bd2c"/>'
+    (part,) = lone(morph(tmp_path, FACE, FACE + shade), arrives=True)
+    np.testing.assert_allclose(box(part, 0.6), box(part, 1.0), atol=1e-6)
+    assert 0 < part.style(0.7).opacity < 1
+    # A disc in a ring's hole has the ring's colour, but lies on nothing.
+    pin = '<path fill-rule="evenodd" d="M2 2h20v20h-20zM6 6v12h12v-12z"/>'
+    (disc,) = lone(morph(tmp_path, pin, pin + '<circle cx="12" cy="12" r="3"/>'), arrives=True)
+    assert disc.style(0.7).opacity == 1
+
+
+def test_rays_keep_to_what_they_surround_all_alike(tmp_path: Path) -> None:
+    turns = range(0, 360, 45)
+    rays = "".join(f'<path transform="rotate({k} 12 12)" d="M12 2v3"/>' for k in turns)
+    sun = '<circle cx="12" cy="12" r="4"/>'
+    parts = lone(morph(tmp_path, sun, sun + rays, ICON), arrives=True)
+    assert len(parts) == 8
+    for t in (0.5, 0.7):
+        points = [p.curves(np.array([t]))[0].reshape(-1, 2) - 12 for p in parts]
+        radii = np.array([np.hypot(*p.T) for p in points])
+        np.testing.assert_allclose(radii.min(axis=1), 7, atol=1e-3)
+        assert np.ptp(radii.max(axis=1)) < 1e-3
+
+
+def test_a_line_opens_as_the_slash_passes(tmp_path: Path) -> None:
+    """The first gap is open and the second one still closed while the tip is between them."""
+    bars = '<path d="M2 6h20"/><path d="M2 18h20"/>'
+    cut = '<path d="M2 6h2"/><path d="M8 6h14"/><path d="M2 18h14"/><path d="M20 18h2"/>'
+    slash = '<path d="M2 2 22 22"/>'
+    found = morph(tmp_path, bars, cut + slash, ICON)
+    tip = next(p for p in lone(found, arrives=True) if np.ptp(box(p, 1.0), axis=0).min() > 10)
+    for frame, t in zip(
+        found.prepared.movement.at(np.linspace(0, 1, 101)), np.linspace(0, 1, 101), strict=True
+    ):
+        others = [s for s in frame.shapes if not is_slash(s)]
+        whole = shapely.union_all([seen(s) for s in others if s.style.opacity > 0.05])
+        reached = float(box(tip, float(t))[1, 1]) if tip.style(float(t)).opacity > 0 else 0.0
+        for y in (6.0, 18.0):
+            closed = whole.intersects(shapely.Point(y, y))
+            assert closed or reached > y - 4  # nothing is cut open for no reason
+            assert not closed or reached < y + 4
+    backwards = morph(tmp_path, cut + slash, bars, ICON)
+    there, back = (
+        shapely.union_all([seen(s) for s in m.prepared.movement.at(np.array([t]))[0].shapes])
+        for m, t in ((found, 1.0), (backwards, 0.0))
+    )
+    assert there.symmetric_difference(back).area < 1e-6
+    (late,) = backwards.prepared.movement.at(np.array([0.97]))
+    assert drawn(late).intersects(shapely.Point(18, 18))
+
+
+def is_slash(shape: Shape) -> bool:
+    points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
+    return bool(np.ptp(points[:, 1]) > 0.5)
+
+
+def test_a_gap_opens_into_what_is_left_of_its_line(tmp_path: Path) -> None:
+    """Of a lock's shackle the end goes up, and nothing stays on the body."""
+    body = '<path d="M4 11h16v10h-16z"/>'
+    shut, open_ = '<path d="M7 11V5H17V11"/>', '<path d="M7 11V5H17V7"/>'
+    (part,) = lone(morph(tmp_path, body + shut, body + open_, ICON), arrives=False)
+    for t in (0.1, 0.2, 0.3):
+        assert box(part, t)[0, 1] == pytest.approx(7, abs=1e-6)
+
+
+@pytest.mark.parametrize("change", ["fade", "draw", "grow", "slide"])
+def test_what_is_asked_for_is_done(tmp_path: Path, change: Change) -> None:
+    dot = '<circle cx="12" cy="12" r="3"/>'
+    found = morph(tmp_path, RING, RING + '<path d="M7 12h8"/>', ICON, change)
+    (part,) = lone(found, arrives=True)
+    half, whole = box(part, 0.7), box(part, 1.0)
+    length = float(np.ptp(half, axis=0).max()) / 8
+    if change == "fade":
+        np.testing.assert_allclose(half, whole)
+        assert 0.1 < part.style(0.7).opacity < 0.9
+        return
+    assert part.style(0.7).opacity == 1
+    assert 0.1 < length < 0.99
+    width = part.style(0.7).stroke.width  # type: ignore[union-attr]
+    assert (width < 2) == (change != "draw")
+    middle = half.mean(axis=0)
+    if change == "grow":
+        np.testing.assert_allclose(middle, [11, 12], atol=1e-6)
+    if change == "slide":
+        assert 11 < middle[0] < 12
+    # What is no line grows where it is to be drawn.
+    (disc,) = lone(morph(tmp_path, FACE, FACE + dot, "", change), arrives=True)
+    assert (box(disc, 0.7)[1, 0] < 15 - 1e-3) == (change != "fade")
