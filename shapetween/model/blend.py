@@ -1,7 +1,9 @@
 """Paint between two paints.
 
 Colours meet in OKLab, where halfway looks halfway, with alpha premultiplied, so that a colour
-that cannot be seen does not tint the other. Nothing at all (`None`) stands for the other paint,
+that cannot be seen does not tint the other. What their chroma would lose between hues that differ
+is given back in part, or made up for by light: halfway between blue and orange lies no mud. They
+change in the middle of the time, and are themselves in most of it. Nothing at all (`None`) stands for the other paint,
 fully transparent. Gradients are mixed as they would look if the shape had stayed in its first
 place, and then moved along with it.
 
@@ -53,6 +55,19 @@ CONES_BACK, LAB_BACK = np.linalg.inv(CONES), np.linalg.inv(LAB)
 #: shape costs 1. Without it, light that comes from above on a shape and on the same shape upside
 #: down would as well make a whole turn; from 1 on gradients no longer spin with shapes that do.
 SPIN_COST = 0.5
+
+#: From when until when colours change, as shares of the time. Longer, and most of a movement is
+#: seen in colours of neither drawing; shorter, and they flash.
+CHANGES = (0.15, 0.85)
+
+#: Share of the chroma lost between two hues that is given back, by its square, and lightness in
+#: place of what is lost still. Without them yellow becomes blue through grey; with more of the one,
+#: hues are seen that belong to neither, and with more of the other, a flash of white.
+GIVEN_BACK, LIGHTER = 0.6, 0.5
+
+#: Square of the chroma, as a share of that expected, below which less is given back: what is nearly
+#: grey has no hue of its own. Smaller, and between opposite hues colour jumps from one to the other.
+GREY = 0.15
 
 #: Angle next to a half turn backwards that counts as one forwards.
 HALF_TURN_TIE = 1e-9
@@ -138,7 +153,9 @@ def blend_paints(a: Paint, b: Paint, t: float, turn: float = 0.0) -> Paint:
 
 
 def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
-    """The colour at time `t`, in OKLab with premultiplied alpha.
+    """The colour at time `t`, through OKLab with premultiplied alpha.
+
+    Alpha changes evenly, what else is to be seen in the middle of the time.
 
     Examples
     --------
@@ -151,7 +168,21 @@ def blend_colours(a: Colour, b: Colour, t: float) -> Colour:
         same = a.reference if a.reference == b.reference else ""
         return replace(a, alpha=alpha, reference=same)
     share = t * b.alpha / alpha if alpha > 0 else t
-    return from_oklab((1 - share) * to_oklab(a) + share * to_oklab(b), alpha)
+    low, high = CHANGES
+    time = min(max((share - low) / (high - low), 0.0), 1.0)
+    return from_oklab(_lively(to_oklab(a), to_oklab(b), time * time * (3 - 2 * time)), alpha)
+
+
+def _lively(a: Floats, b: Floats, share: float) -> Floats:
+    """Between two points (3,) of OKLab, and off the greys between them."""
+    mixed = (1 - share) * a + share * b
+    expected = (1 - share) * math.hypot(a[1], a[2]) + share * math.hypot(b[1], b[2])
+    if expected > 0:
+        kept = (mixed[1] ** 2 + mixed[2] ** 2) / expected**2
+        growth = 1 + GIVEN_BACK * max(1 - kept, 0.0) / (kept + GREY)  # of the square
+        mixed[1:] *= math.sqrt(growth)
+        mixed[0] += LIGHTER * expected * max(1 - growth * kept, 0.0)
+    return mixed
 
 
 @lru_cache(maxsize=4096)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapetween.model.blend import blend, blend_colours, blend_paints
+from shapetween.model.blend import blend, blend_colours, blend_paints, to_oklab
 from shapetween.model.gradients import IDENTITY, in_normal_form, on_offsets
 from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 
@@ -159,9 +159,45 @@ def test_halfway_is_halfway_in_oklab() -> None:
     # White and black meet at L = 1/2, where linear light is its cube: 0.3886 in sRGB.
     grey = blend_colours(Colour(1, 1, 1), Colour(0, 0, 0), 0.5)
     assert (grey.red, grey.green, grey.blue) == pytest.approx((0.388573,) * 3, abs=1e-4)
-    # As Chromium paints color-mix(in oklab, red, blue).
-    purple = blend_colours(Colour(1, 0, 0), Colour(0, 0, 1), 0.5)
-    assert (purple.red, purple.green, purple.blue) == pytest.approx((0.549, 0.325, 0.636), abs=2e-3)
+    # Of the hue of what Chromium paints for color-mix(in oklab, red, blue), and more of it.
+    purple = to_oklab(blend_colours(Colour(1, 0, 0), Colour(0, 0, 1), 0.5))
+    mixed = to_oklab(Colour(0.549, 0.325, 0.636))
+    hues = [math.atan2(lab[2], lab[1]) for lab in (purple, mixed)]
+    assert hues[0] == pytest.approx(hues[1], abs=0.05)
+    chromas = [math.hypot(lab[1], lab[2]) for lab in (purple, mixed)]
+    assert 1.2 * chromas[1] < chromas[0] < 0.286  # the mean of red's and blue's
+    assert purple[0] > mixed[0]
+    # Chromium's own where the hues are one.
+    amber = blend_colours(Colour(1, 0.8, 0), Colour(0.4, 0.32, 0), 0.5)
+    assert (amber.red, amber.green, amber.blue) == pytest.approx((0.69, 0.55, 0.0), abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (Colour(0.13, 0.38, 1), Colour(1, 0.56, 0.13)),
+        (Colour(0.48, 0.25, 0.75), Colour(1, 0.86, 0.19)),
+        (Colour(0, 0.72, 0.83), Colour(1, 0.34, 0.13)),
+        (Colour(0.88, 0.12, 0.12), Colour(0.12, 0.63, 0.25)),
+    ],
+)
+def test_between_hues_lies_no_mud(one: Colour, other: Colour) -> None:
+    """Where paint loses chroma between two hues, it is the lighter."""
+    ends = [to_oklab(one), to_oklab(other)]
+    chroma = sum(math.hypot(lab[1], lab[2]) for lab in ends) / 2
+    light = (ends[0][0] + ends[1][0]) / 2
+    for t in (0.45, 0.5, 0.55):
+        lab = to_oklab(blend_colours(one, other, t))
+        assert math.hypot(lab[1], lab[2]) > 0.6 * chroma or lab[0] > light + 0.025
+
+
+def test_colours_change_in_the_middle_of_the_time() -> None:
+    red, blue = Colour(1, 0, 0), Colour(0, 0, 1)
+    for t in (0.05, 0.14):
+        assert max(abs(to_oklab(blend_colours(red, blue, t)) - to_oklab(red))) < 1e-9
+        assert max(abs(to_oklab(blend_colours(red, blue, 1 - t)) - to_oklab(blue))) < 1e-9
+    early = to_oklab(blend_colours(red, blue, 0.3)) - to_oklab(red)
+    assert 0.01 < math.hypot(*early) < 0.5 * math.hypot(*(to_oklab(blue) - to_oklab(red)))
 
 
 def test_what_cannot_be_seen_does_not_tint() -> None:

@@ -35,9 +35,9 @@ from shapetween.svg.write.numbers import number
 
 __all__ = ["animate_style"]
 
-#: How far a colour or an alpha may be from its place between two keyframes: a step and a half of
-#: the 255 a screen has. Larger is seen as a tint; smaller chases the rounding of hexadecimals.
-COLOUR_TOLERANCE = 1.5 / 255
+#: How far a colour or an alpha may be from its place between two keyframes: a step of the 255 a
+#: screen has. Larger is seen as a tint; smaller chases the rounding of hexadecimals.
+COLOUR_TOLERANCE = 1.0 / 255
 
 
 def animate_style(
