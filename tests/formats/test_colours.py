@@ -25,7 +25,7 @@ OFF = 2.0
 
 COLOURS = [
     (Colour(0.13, 0.38, 1), Colour(1, 0.56, 0.13)),
-    (Colour(1, 0, 0), Colour(0, 1, 1)),
+    (Colour(0.9, 0.2, 0.1), Colour(0.1, 0.7, 0.8)),
     (Colour(0.24, 0.26, 0.28), Colour(1, 0.87, 0.4)),
     (Colour(), Colour(1, 1, 1)),
 ]
