@@ -14,6 +14,7 @@ from typing import Protocol, TypeAlias
 
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
+from shapetween.base.threads import one_thread
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.segments import Segments
 from shapetween.io import files
@@ -117,7 +118,8 @@ class Writer:
         segments, options = paced(segments, options)
         module, name = self.home.split(":")
         function: WriterFunction = getattr(import_module(module), name)
-        return function(segments, options, observe)
+        with one_thread():
+            return function(segments, options, observe)
 
 
 _PACE = ("duration", "easing", "stagger", "stagger_by", "hold")

@@ -5,7 +5,9 @@ rounded box: one becomes another by blending six numbers.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -51,6 +53,12 @@ CORNER, ROUNDED = np.deg2rad(30.0), 1 / 6
 
 #: Angles, in radians, through which a rounded corner turns.
 ROUNDED_TURN = (1.0, 2.4)
+
+#: Chords of a quarter of a corner that outlines are held against.
+STEPS = 8
+
+#: Share by which rounding may make a likeness larger than its bound.
+ROUNDING = 1e-9
 
 #: Handle of a quarter of a circle drawn as one cubic curve, as a share of its radius.
 QUARTER = 0.5522847498
@@ -133,8 +141,19 @@ Form: TypeAlias = RoundedBox | Segment | Dot | OpenLine | Blob
 """What an item may be."""
 
 
+#: Forms that have been found, for as long as their items are used.
+_FORMS: "WeakKeyDictionary[Item, Form]" = WeakKeyDictionary()
+
+
 def form_of(item: Item) -> Form:
     """What an item's outer ring is."""
+    known = _FORMS.get(item)
+    if known is None:
+        known = _FORMS[item] = _form_of(item)
+    return known
+
+
+def _form_of(item: Item) -> Form:
     if not item.filled:
         extent = float(np.hypot(*np.ptp(item.box, axis=0)))
         if extent <= DOT * item.width or _is_full(item):
@@ -189,6 +208,11 @@ def _box_of(area: "shapely.Geometry") -> RoundedBox | None:
         radius = min(float(np.sqrt(missing / (4 - np.pi))), float(sides.min()) / 2)
         for radii in (np.array([radius, radius]), sides / 2):
             box = RoundedBox(centre, sides, angle, radii)
+            # No more than what the areas by themselves would let them have in common.
+            small, large = sorted((area.area, _border_area(box)))
+            bound = small / large + UPRIGHT * (angle == 0.0) + ROUNDING
+            if bound < LIKE_BOX or (best is not None and bound <= best[0]):
+                continue
             like = _common(area, shapely.Polygon(_border(box)))
             like += UPRIGHT * (angle == 0.0)
             if like >= LIKE_BOX and (best is None or like > best[0]):
@@ -214,14 +238,26 @@ def _angles(area: "shapely.Geometry") -> list[float]:
     return found
 
 
-def _border(box: RoundedBox, steps: int = 8) -> Points:
-    """Points of a rounded box's border, (N, 2)."""
-    quarter = np.linspace(0, np.pi / 2, steps + 1)
+@lru_cache(maxsize=1)
+def _quarters() -> tuple[Points, Points]:
+    """Points of a unit circle, by quarters, (4, STEPS + 1, 2), and the signs of each, (4, 2)."""
+    quarter = np.linspace(0, np.pi / 2, STEPS + 1)
     angles = np.arange(4)[:, None] * np.pi / 2 + quarter
-    arcs = np.stack([np.cos(angles), np.sin(angles)], axis=-1) * box.radii
     signs = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
-    local = arcs + (signs * (box.sides / 2 - box.radii))[:, None]
+    return np.stack([np.cos(angles), np.sin(angles)], axis=-1), signs
+
+
+def _border(box: RoundedBox) -> Points:
+    """Points of a rounded box's border, (N, 2)."""
+    unit, signs = _quarters()
+    local = unit * box.radii + (signs * (box.sides / 2 - box.radii))[:, None]
     return np.asarray(local.reshape(-1, 2) @ rotations(np.asarray(box.angle)).T + box.centre)
+
+
+def _border_area(box: RoundedBox) -> float:
+    """What the border encloses."""
+    of_circle = 2 * STEPS * np.sin(np.pi / 2 / STEPS)
+    return float(box.sides.prod() - (4 - of_circle) * box.radii.prod())
 
 
 def _common(one: "shapely.Geometry", other: "shapely.Geometry") -> float:

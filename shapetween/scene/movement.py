@@ -24,7 +24,7 @@ from shapetween.scene.lone import lone_part
 from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame, Shared, Track
 from shapetween.scene.order import Layer, layers_of
-from shapetween.scene.pairs import of_one_kind, pair_tracks
+from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPart, ScenePart, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.sets import paired_sets
@@ -130,10 +130,11 @@ def move_scene(
     said: list[Notice] = []
     with settings.observe("move"):
         tracks: dict[int, tuple[Track, ...]] = {}
+        mains = main_pairs(a, b, roles)
         for k in _largest_first(a, roles):
             role = roles.pairs[k]
             mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
-            found, more = pair_tracks(k, a, b, roles, settings, names, mine)
+            found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
             said += more
         hosts = (

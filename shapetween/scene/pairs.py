@@ -22,7 +22,7 @@ from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, Mirrored, Track
 from shapetween.scene.relations import Scene
 
-__all__ = ["of_one_kind", "pair_tracks"]
+__all__ = ["main_pairs", "of_one_kind", "pair_tracks"]
 
 #: Most pairs of a drawing that the outline engine moves, a tenth of a second each: the largest are
 #: seen, and what is small bends as well by itself.
@@ -37,6 +37,8 @@ def pair_tracks(
     settings: FillSettings,
     names: tuple[str, str],
     pinned: Sequence[int],
+    *,
+    main: bool,
 ) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
     """Tracks of one pair; of a pair whose mates are a pair too, as the mirror image of those.
 
@@ -51,9 +53,11 @@ def pair_tracks(
         What messages call the drawings.
     pinned : sequence of int
         Which of the pins are on this pair.
+    main : bool
+        Whether it is one of `main_pairs`.
     """
     role = roles.pairs[k]
-    ends = replace(_ends(role.first, role.second, a, b), root=k in _mains(a, b, roles))
+    ends = replace(_ends(role.first, role.second, a, b), root=main)
     settings = replace(settings, mine=frozenset(pinned))
     if len(pinned):
         if ends.first.filled and ends.second.filled:
@@ -92,7 +96,7 @@ def _pinned_areas(
     return (outer, *hole_tracks(ends.first, ends.second, outer, holes)), said
 
 
-def _mains(a: Scene, b: Scene, roles: Roles) -> list[int]:
+def main_pairs(a: Scene, b: Scene, roles: Roles) -> list[int]:
     """The pairs that the outline engine is worth its time for: the largest of no simple form."""
     ends = [[role.first for role in roles.pairs], [role.second for role in roles.pairs]]
     sizes = comparable(a.sizes[ends[0]] * b.sizes[ends[1]])
