@@ -3,9 +3,9 @@
 Colours meet in OKLab, where halfway looks halfway, with alpha premultiplied, so that a colour
 that cannot be seen does not tint the other. What their chroma would lose between hues that differ
 is given back in part, or made up for by light: halfway between blue and orange lies no mud. They
-change in the middle of the time, and are themselves in most of it. Nothing at all (`None`) stands for the other paint,
-fully transparent. Gradients are mixed as they would look if the shape had stayed in its first
-place, and then moved along with it.
+change in the middle of the time, and are themselves in most of it. Nothing at all (`None`) stands
+for the other paint, fully transparent. Gradients are mixed as they would look if the shape had
+stayed in its first place, and then moved along with it.
 
 .. [Ott20] B. Ottosson, *A perceptual color space for image processing*, 2020.
 """
@@ -66,7 +66,8 @@ CHANGES = (0.15, 0.85)
 GIVEN_BACK, LIGHTER = 0.6, 0.5
 
 #: Square of the chroma, as a share of that expected, below which less is given back: what is nearly
-#: grey has no hue of its own. Smaller, and between opposite hues colour jumps from one to the other.
+#: grey has no hue of its own. Smaller, and between opposite hues colour jumps from one to the
+#: other.
 GREY = 0.15
 
 #: Angle next to a half turn backwards that counts as one forwards.
