@@ -27,6 +27,7 @@ from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
+from shapetween.scene.kept.areas import kept_areas
 from shapetween.scene.motion.choose import SAME, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.movement import SceneMovement, move_scene
@@ -224,6 +225,13 @@ def _moved(
     (one, said), (other, more) = found
     one, other = joined_lines(one), joined_lines(other)
     free = all(group[0] and group[1] for group in asked.groups)
+    if not (settings.meshed or len(settings.pins) or settings.choice > 1):
+        with settings.observe("perceive"):
+            kept = kept_areas(one, other, asked.groups)
+        if kept.areas:
+            one, other = as_lines(kept.first, kept.second)
+            scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)
+            return (), (*said, *more, *scene.notices), scene
     if not (free and _two_outlines(one, other)):
         one, other = as_lines(one, other)
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):

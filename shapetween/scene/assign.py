@@ -45,7 +45,7 @@ class Role:
         Items.
     cost : float
     reason : str
-        How it was found: "given", "alike", "matched".
+        How it was found: "given", "alike", "matched", or "kept" if most of it stays where it is.
     """
 
     first: int

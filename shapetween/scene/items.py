@@ -39,6 +39,9 @@ SMOOTH = 0.9999
 #: Distance between a line's ends, as a share of its width, up to which they meet under round caps.
 MEET = 0.1
 
+#: Least product of opacities at which nothing is seen through a paint.
+OPAQUE = 0.999
+
 #: Size of a line beside that of its diagonal: a long line is seen as less than an area as large.
 SLIM = 1.5
 
@@ -90,6 +93,15 @@ class Item:
     def filled(self) -> bool:
         """Whether it is an area; else it is a line."""
         return self.style.fill is not None
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is an opaque area without a border, of one picture no more."""
+        style = self.style
+        if style.fill is None or style.stroke is not None or style.texture is not None:
+            return False
+        alpha = 1.0 if isinstance(style.fill, Gradient) else style.fill.alpha
+        return alpha * style.opacity > OPAQUE
 
     @property
     def outer(self) -> Outline:

@@ -19,6 +19,7 @@ from shapetween.scene.cuts import cut_alike_items
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
+from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
 from shapetween.scene.lone import lone_part
 from shapetween.scene.motion.pinned import pinned_items
@@ -98,6 +99,7 @@ def move_scene(
     asked: Asked,
     settings: FillSettings,
     names: tuple[str, str],
+    kept: Sequence[KeptArea] = (),
 ) -> SceneMovement:
     """The movement between two drawings' items.
 
@@ -111,28 +113,42 @@ def move_scene(
     settings : FillSettings
     names : tuple of str
         What messages call the drawings.
+    kept : sequence of KeptArea
+        Items among them of which most stays where it is.
     """
     with settings.observe("perceive"):
         a, b = perceive(first, views[0]), perceive(second, views[1])
-        frame = frame_between(a, b) if not len(asked.pins) else None
+        frame = frame_between(a, b) if not (len(asked.pins) or kept) else None
         if frame is not None:
             b = perceive(moved_items(b, frame), views[1])
     with settings.observe("match"):
         cut = cut_alike_items(a, b, views, asked.groups)
         a, b = cut.scenes
+        still = {_places_of(area, a, b): area.tracks for area in kept}
         settled, barred = _settled(a, b, asked.groups)
+        settled += [pair for pair in still if pair not in settled]
         pinned = pinned_items(asked.pins, a, b)
         settled += [pair for pair in pinned.values() if pair not in settled]
         settled += [pair for pair in cut.given if not barred[pair]]
         if not settled:
             settled = [pair for pair in paired_sets(a, b) if not barred[pair]]
         roles = assign(a, b, settled, barred, asked.price)
+        roles = replace(
+            roles,
+            pairs=tuple(
+                replace(role, reason="kept") if (role.first, role.second) in still else role
+                for role in roles.pairs
+            ),
+        )
     said: list[Notice] = []
     with settings.observe("move"):
         tracks: dict[int, tuple[Track, ...]] = {}
         mains = main_pairs(a, b, roles)
         for k in _largest_first(a, roles):
             role = roles.pairs[k]
+            if (role.first, role.second) in still:
+                tracks[k] = tuple(map(Shared, still[role.first, role.second]))
+                continue
             mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
             found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
@@ -150,6 +166,15 @@ def move_scene(
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
     return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
+
+
+def _places_of(area: KeptArea, a: Scene, b: Scene) -> tuple[int, int]:
+    """Where the items that stand for a kept area are among all."""
+    items = (area.first, a), (area.second, b)
+    one, other = (
+        next(k for k, item in enumerate(scene.items) if item is own) for own, scene in items
+    )
+    return one, other
 
 
 def _settled(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[int, int]], Mask]:

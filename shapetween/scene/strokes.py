@@ -8,7 +8,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats
 from shapetween.fill.regions import Region
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Gradient, Stroke, Style
+from shapetween.model.paint import Stroke, Style
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, Painted
 from shapetween.scene.motion.tracks import Frame, Meshless, Track
@@ -18,7 +18,14 @@ from shapetween.scene.stroke_cuts import opened_ring, parted_ring
 from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 from shapetween.scene.stroke_outline import StrokeOutline, stroke_outline
 
-__all__ = ["StrokedLonePart", "StrokedTrack", "as_lines", "as_painted", "stroked_lone_part"]
+__all__ = [
+    "StrokedLonePart",
+    "StrokedTrack",
+    "as_lines",
+    "as_painted",
+    "line_of",
+    "stroked_lone_part",
+]
 
 #: Most curves of an area that is looked at for centre lines, and most areas of a drawing: icons
 #: have a few dozen curves, letters up to a hundred. More would take longer than they are worth.
@@ -60,7 +67,7 @@ def as_lines(
             strokes = {j: s for j, s in strokes.items() if bodies and not _upright_bar(side[j])}
         items: list[Item] = []
         for j, item in enumerate(side):
-            items += [_line(stroke, item) for stroke in strokes.get(j, ())] or [item]
+            items += [line_of(stroke, item) for stroke in strokes.get(j, ())] or [item]
         result.append(tuple(items))
     return result[0], result[1]
 
@@ -87,13 +94,7 @@ def _upright_bar(item: Item) -> bool:
 
 def _plain(item: Item) -> bool:
     """Whether an item is an opaque area without a border, of few curves, and not a box."""
-    fill = item.style.fill
-    if fill is None or item.style.stroke is not None or item.style.texture is not None:
-        return False
-    alpha = 1.0 if isinstance(fill, Gradient) else fill.alpha
-    if alpha * item.style.opacity < 0.999:
-        return False
-    if sum(len(ring.curves) for ring in item.rings) > MOST_CURVES:
+    if item.cut or not item.plain or sum(len(ring.curves) for ring in item.rings) > MOST_CURVES:
         return False
     form = None if item.holes else form_of(item)
     if isinstance(form, RoundedBox):
@@ -101,7 +102,7 @@ def _plain(item: Item) -> bool:
     return True
 
 
-def _line(stroke: OutlinedStroke, item: Item) -> Item:
+def line_of(stroke: OutlinedStroke, item: Item) -> Item:
     """One stroke of an area as an item."""
     fill = item.style.fill
     assert fill is not None

@@ -8,10 +8,8 @@ import numpy as np
 from shapetween.base.arrays import Index
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
-from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found
-from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene
 
 __all__ = ["divided_areas", "families"]
@@ -32,7 +30,7 @@ def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
     found: Found = {}
     for k, pieces in families(whole, parts, groups, filled=True):
         item = whole.items[k]
-        if not _opaque(item):
+        if not item.plain:
             continue
         regions = [Region(parts.items[j].outer, parts.items[j].holes) for j in pieces]
         cells = split_alike(Region(item.outer, item.holes), regions)
@@ -41,12 +39,6 @@ def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
         made = [replace(item, rings=(c.outer, *c.holes), cut=True) for c in cells]
         found[k] = Division(made, list(zip(made, pieces.tolist(), strict=True)))
     return found
-
-
-def _opaque(item: Item) -> bool:
-    fill = item.style.fill
-    alpha = 1.0 if fill is None or isinstance(fill, Gradient) else fill.alpha
-    return item.style.stroke is None and alpha * item.style.opacity > 0.999
 
 
 def families(
@@ -71,6 +63,7 @@ def families(
                 for k, item in enumerate(s.items)
                 if item.filled == filled
                 and item.closed
+                and not item.cut
                 and not s.sheets[k]
                 and s.parents[k] < 0
                 and s.outlined[k] < 0

@@ -18,11 +18,11 @@ from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, half_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
 from shapetween.scene.motion.holes import hole_tracks
-from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of
+from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["SAME", "Ends", "elastic", "is_blob", "tracks_of"]
+__all__ = ["SAME", "Ends", "elastic", "is_blob", "open_track", "tracks_of"]
 
 #: Residual of a line's best similarity, as shares: what a turn must leave at most, what part of the
 #: residual without one, and what that must be at least, for a line to turn on its way.
@@ -90,7 +90,7 @@ def tracks_of(
     if first.closed and second.closed:
         return _closed(ends, settings, names)
     if not first.closed and not second.closed:
-        return (_open(ends),), ()
+        return (open_track(ends),), ()
     dots = [isinstance(form, Dot) for form in ends.forms]
     if any(dots) and _round(first) and _round(second):
         source, target = (
@@ -237,7 +237,7 @@ def _crossings(places: Places, middle: Points, flips: int) -> tuple[float, float
     return first, last + (last < first)
 
 
-def _open(ends: Ends) -> Blend:
+def open_track(ends: Ends) -> Blend:
     """Two open lines, from one end to the other."""
     first, second = ends.first, ends.second
     one, other = ends.forms
@@ -250,6 +250,7 @@ def _open(ends: Ends) -> Blend:
         target = Places(outline)
         knots = graph_knots(source, target, SAME * ends.scale)
         if knots is not None:
+            knots = without_points(*knots)
             return _blend(cut_alike(source, target, *knots), first, second, 0.0)
         u, v, cost = along_knots(source, target, mirrored=ends.symmetric >= 0)
         if isinstance(one, OpenLine) and isinstance(other, OpenLine):

@@ -14,7 +14,7 @@ from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["hole_tracks"]
+__all__ = ["hole_tracks", "matched_holes"]
 
 #: Greatest distance of two holes that become each other, as a share of the outer ring's box. More,
 #: and a hole crosses the region that another would have opened in.
@@ -56,7 +56,8 @@ def hole_tracks(
     pairs = [(free[0][i], free[1][j]) for i, j in _nearest(rest[0], rest[1], forth, second)]
     pairs = sorted([*pairs, *pinned])
     tracks: list[Track] = [
-        _in_frame(_matched(holes[0][i], holes[1][j], pinned.get((i, j))), outer) for i, j in pairs
+        _in_frame(matched_holes(holes[0][i], holes[1][j], pinned.get((i, j))), outer)
+        for i, j in pairs
     ]
     for side, (own, matrix) in enumerate(zip(holes, (forth, back), strict=True)):
         known = {pair[side] for pair in pairs}
@@ -109,7 +110,8 @@ def _only_round(holes: list[Item]) -> int | None:
     return found[0] if len(found) == 1 else None
 
 
-def _matched(one: Item, other: Item, pins: Points | None) -> Pieces:
+def matched_holes(one: Item, other: Item, pins: Points | None = None) -> Pieces:
+    """Two holes' outer rings, clockwise, by the boxes they are or place by place."""
     places = Places(one.outer.clockwise()), Places(other.outer.clockwise())
     forms = form_of(one), form_of(other)
     if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):

@@ -12,7 +12,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.scene.motion.bend_knots import along_knots
 from shapetween.scene.places import Places, run_of
 
-__all__ = ["anchored_knots", "graph_knots", "kinks_of"]
+__all__ = ["anchored_knots", "graph_knots", "kinks_of", "without_points"]
 
 #: Steps at which a line is looked at for being a graph.
 STEPS = 192
@@ -22,6 +22,10 @@ CORNER = np.deg2rad(22.0)
 
 #: Difference of the turns at two corners that are one, radians.
 ALIKE = np.deg2rad(60.0)
+
+#: Shares of two lines, of which one becomes the other: below the first a part is a point, below the
+#: second what becomes one is small enough to go with what is beside it.
+LEAST_STEP, SMALL_STEP = 1e-3, 0.03
 
 
 def kinks_of(places: Places) -> tuple[Floats, Floats]:
@@ -92,6 +96,21 @@ def _graph(places: Places) -> tuple[Floats, Floats] | None:
         return None
     steps = np.diff(x) * (1.0 if x[-1] > x[0] else -1.0)
     return None if (steps <= 1e-7 * extent).any() else (at, x)
+
+
+def without_points(u: Floats, v: Floats) -> tuple[Floats, Floats]:
+    """Knots of lines without those by which a small part of one becomes a point of the other.
+
+    A curve that is a point has no direction for a stroke's outline to follow.
+    """
+    kept = [0]
+    last = len(u) - 1
+    for k in range(1, last):
+        steps = [(u[j] - u[i], v[j] - v[i]) for i, j in ((kept[-1], k), (k, last))]
+        if all(min(step) > LEAST_STEP or max(step) > SMALL_STEP for step in steps):
+            kept.append(k)
+    kept.append(last)
+    return u[kept], v[kept]
 
 
 def anchored_knots(source: Places, target: Places, same: float) -> tuple[Floats, Floats] | None:

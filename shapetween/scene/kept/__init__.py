@@ -1,0 +1,1 @@
+"""Areas of which most stays where it is: that stands still, and only the difference moves."""

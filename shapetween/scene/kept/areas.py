@@ -1,0 +1,266 @@
+"""Areas that largely coincide in place: what both have stands still, and the rest moves beside it.
+
+A lid that opens in a box, a badge on a bell, the slash through an eye: a person sees one thing to
+which something is done. So the outlines are not matched as wholes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+
+from shapetween.boolean.chords import chords_of
+from shapetween.model.outline import Outline
+from shapetween.scene.asked import Group
+from shapetween.scene.items import Item
+from shapetween.scene.kept.changes import Bar, bar_of, tracks_of_pieces
+from shapetween.scene.kept.pieces import areas_of, overlay
+from shapetween.scene.kept.stretches import Snapped, snapped
+from shapetween.scene.kept.voids import paired_voids, void_track
+from shapetween.scene.motion.tracks import Track
+
+__all__ = ["Kept", "KeptArea", "kept_areas"]
+
+#: Distance within which outlines are one, as a share of the drawing: what rounding to one decimal
+#: of an icon of 24 units moves. Larger, and thin walls count as drawn twice.
+REACH = 2e-3
+
+#: Sum of differences of colours that are one.
+COLOUR = 0.05
+
+#: Least share of the smaller one that two areas have in common, to be looked at together.
+COMMON = 0.1
+
+#: Least share of its outline that an area has in common with the other drawing's to be kept.
+BODY = 0.08
+
+#: Least share of all outlines that is common, of either drawing.
+SHARED = 0.5
+
+#: Most curves of the areas of one colour that are looked at; more take longer than it is worth.
+MOST_CURVES = 300
+
+Family: TypeAlias = tuple[list[int], list[int]]
+"""Items of both drawings."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KeptArea:
+    """Two items that stand for all that is kept, and what moves them.
+
+    Attributes
+    ----------
+    first, second : Item
+    tracks : tuple of Track
+    """
+
+    first: Item
+    second: Item
+    tracks: tuple[Track, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Kept:
+    """Two drawings' items and which of them become each other by what they have in common.
+
+    Attributes
+    ----------
+    first, second : tuple of Item
+        Without those that are part of a kept area and do not stand for it.
+    areas : tuple of KeptArea
+    """
+
+    first: tuple[Item, ...]
+    second: tuple[Item, ...]
+    areas: tuple[KeptArea, ...] = ()
+
+
+def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[Group] = ()) -> Kept:
+    """Find areas of which most stays where it is.
+
+    Parameters
+    ----------
+    first, second : sequence of Item
+        In paint order and one frame.
+    groups : sequence of Group
+        Shapes that become each other: they are kept together or not at all.
+    """
+    sides = (first, second)
+    scale = _scale(sides)
+    areas: list[KeptArea] = []
+    now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
+    for family in _families(sides):
+        found = _kept(sides, family, scale)
+        if found is None:
+            continue
+        members, tracks = found
+        largest = [
+            max(own, key=lambda k: (round(side[k].area / scale**2, 9), -k))
+            for side, own in zip(sides, members, strict=True)
+        ]
+        if not _agrees(groups, sides, members, largest):
+            continue
+        marked = []
+        for side, own, k in zip((0, 1), members, largest, strict=True):
+            marked.append(replace(sides[side][k], cut=True))
+            now[side].update(dict.fromkeys(own))
+            now[side][k] = marked[side]
+        areas.append(KeptArea(marked[0], marked[1], tracks))
+    left = [
+        tuple(i for i in (changed.get(k, item) for k, item in enumerate(side)) if i is not None)
+        for changed, side in zip(now, sides, strict=True)
+    ]
+    return Kept(left[0], left[1], tuple(areas))
+
+
+def _agrees(
+    groups: Sequence[Group],
+    sides: tuple[Sequence[Item], Sequence[Item]],
+    members: Family,
+    largest: Sequence[int],
+) -> bool:
+    """Whether what some shapes are to become is what the largest of them do."""
+    shapes = [{side[n].shape for n in own} for side, own in zip(sides, members, strict=True)]
+    main = [side[k].shape for side, k in zip(sides, largest, strict=True)]
+    return all(
+        (main[0] in group[0] and main[1] in group[1])
+        or not (shapes[0] & {*group[0]} or shapes[1] & {*group[1]})
+        for group in groups
+    )
+
+
+def _scale(sides: tuple[Sequence[Item], Sequence[Item]]) -> float:
+    """Diagonal of all that is drawn."""
+    boxes = np.array([item.box for side in sides for item in side])
+    return float(np.hypot(*(boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0))))
+
+
+def _families(sides: tuple[Sequence[Item], Sequence[Item]]) -> list[Family]:
+    """Plain areas of one colour that lie on each other, one drawing's on the other's."""
+    import shapely
+
+    plain = [[k for k, item in enumerate(side) if item.plain] for side in sides]
+    if not plain[0] or not plain[1]:
+        return []
+    drawn = [np.array([s[k].drawn for k in own]) for s, own in zip(sides, plain, strict=True)]
+    one, other = shapely.STRtree(drawn[1]).query(drawn[0], predicate="intersects")
+    both = shapely.area(shapely.intersection(drawn[0][one], drawn[1][other]))
+    least = np.minimum(shapely.area(drawn[0])[one], shapely.area(drawn[1])[other])
+    colours = [np.array([s[k].colour for k in own]) for s, own in zip(sides, plain, strict=True)]
+    alike = np.abs(colours[0][one] - colours[1][other]).sum(axis=-1) < COLOUR
+    links = [
+        (int(i), int(j))
+        for i, j, fine in zip(one, other, alike & (both > COMMON * least), strict=True)
+        if fine
+    ]
+    families: list[tuple[set[int], set[int]]] = []
+    for i, j in links:
+        joined = [f for f in families if i in f[0] or j in f[1]]
+        families = [f for f in families if f not in joined]
+        whole = {i}.union(*(f[0] for f in joined)), {j}.union(*(f[1] for f in joined))
+        families.append(whole)
+    return [
+        (sorted(plain[0][i] for i in f[0]), sorted(plain[1][j] for j in f[1])) for f in families
+    ]
+
+
+def _kept(
+    sides: tuple[Sequence[Item], Sequence[Item]], family: Family, scale: float
+) -> tuple[Family, tuple[Track, ...]] | None:
+    """Which items of a family are kept, with what comes and goes of them, and their tracks."""
+    items = [[sides[k][n] for n in family[k]] for k in (0, 1)]
+    if sum(len(r.curves) for own in items for item in own for r in item.rings) > MOST_CURVES:
+        return None
+    reach = REACH * scale
+    found = snapped(_rings(items[0]), _rings(items[1]), reach)
+    bars: list[Bar] = []
+    members: tuple[list[int], list[int]] = ([], [])
+    kept: tuple[list[Item], list[Item]] = ([], [])
+    common, length = [0.0, 0.0], [0.0, 0.0]
+    for side in (0, 1):
+        starts = np.cumsum([0, *(len(item.rings) for item in items[side])])[:-1]
+        shared = np.add.reduceat(found.shared[side], starts)
+        around = np.add.reduceat(found.lengths[side], starts)
+        for k, (n, item) in enumerate(zip(family[side], items[side], strict=True)):
+            if shared[k] >= BODY * around[k]:
+                common[side] += float(shared[k])
+                length[side] += float(around[k])
+            else:
+                bar = bar_of(item.enclosed)
+                if bar is None:
+                    continue
+                bars.append(bar)
+            members[side].append(n)
+            kept[side].append(item)
+    if not kept[0] or not kept[1] or _covered(sides, members):
+        return None
+    shares = [c / max(whole, 1e-300) for c, whole in zip(common, length, strict=True)]
+    if max(shares) < SHARED:
+        return None
+    if [len(side) for side in members] != [len(side) for side in family]:
+        found = snapped(_rings(kept[0]), _rings(kept[1]), reach)
+    tracks = _tracks(kept, found, bars, scale)
+    return None if tracks is None else (members, tracks)
+
+
+def _tracks(
+    kept: tuple[list[Item], list[Item]], found: Snapped, bars: Sequence[Bar], scale: float
+) -> tuple[Track, ...] | None:
+    """Tracks of all that is kept, comes and goes."""
+    counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
+    chords = chords_of([*found.first, *found.second])
+    holes = _loose_holes(counts, found)
+    solid = areas_of(chords.polylines, counts, {*holes[0], *holes[1]})
+    rings = _rings(kept[0]), _rings(kept[1])
+    count = len(rings[0])
+    loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
+    pairs = paired_voids(*loose, solid, scale)
+    paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
+    laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
+    if not laid.pieces and not pairs:
+        return None
+    voids = [void_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
+    bound = [
+        {k: ring for k, ring in enumerate(side) if k + first not in {*holes[0], *holes[1]}}
+        for first, side in ((0, rings[0]), (count, rings[1]))
+    ]
+    moved = tracks_of_pieces(laid, bars, bound[0], bound[1], REACH * scale)
+    return None if moved is None else (*moved, *voids)
+
+
+def _loose_holes(
+    counts: tuple[Sequence[int], Sequence[int]], found: Snapped
+) -> tuple[list[int], list[int]]:
+    """Holes of either area of whose outline the other one has nothing, by number among all."""
+    first = 0
+    loose: tuple[list[int], list[int]] = ([], [])
+    for side, own in enumerate(counts):
+        shares = found.shared[side] / np.maximum(found.lengths[side], 1e-300)
+        at = 0
+        for count in own:
+            loose[side].extend(first + k for k in range(at + 1, at + count) if shares[k] < BODY)
+            at += count
+        first += at
+    return loose
+
+
+def _rings(items: Sequence[Item]) -> list[Outline]:
+    """All rings of some areas, outer ones clockwise and holes against."""
+    return [
+        ring
+        for item in items
+        for ring in (
+            item.outer.clockwise(),
+            *(hole.clockwise().reversed() for hole in item.holes),
+        )
+    ]
+
+
+def _covered(sides: tuple[Sequence[Item], Sequence[Item]], members: Family) -> bool:
+    """Whether something else is painted between some items, so that they cannot be one."""
+    for side, own in zip(sides, members, strict=True):
+        between = [k for k in range(own[0], own[-1]) if k not in own]
+        if any(side[k].drawn.intersects(side[n].drawn) for k in between for n in own):
+            return True
+    return False

@@ -1,0 +1,299 @@
+"""How the pieces that only one of two areas has come and go beside what both have."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Points
+from shapetween.geometry.polygon import cross
+from shapetween.model.outline import Outline
+from shapetween.scene.kept.outlines import outline_tracks
+from shapetween.scene.kept.pieces import Overlay, Piece
+from shapetween.scene.kept.wipes import Telescoped, Timed, Wiped
+from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.places import Pieces
+
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Bar", "bar_of", "tracks_of_pieces"]
+
+#: Least ratio of the sides of a bar, and share of its rectangle that it fills.
+SLENDER, FILLED = 4.0, 0.75
+
+#: How far from a bar's middle line a piece may reach to be wiped with it, in halves of its width:
+#: the gaps beside a slash are up to as wide as the slash.
+BESIDE = 3.2
+
+#: Least share of a piece's border that is free for it to be open to the outside.
+OPEN = 0.02
+
+#: Distance of the middles of a piece's free border and of its contact, as a share of its size, from
+#: which on it lies between them.
+ONE_SIDED = 0.12
+
+#: Areas, as a share of what is kept, of pieces beside no bar that come and that go: more of both,
+#: and something moves.
+MOVED = 0.06
+
+#: Share of a piece half sunk into what it stands on that may come out elsewhere.
+STRAY = 0.03
+
+#: Cosine of the angle within which a border runs straight up, and least share of it that does so,
+#: for a piece to slide into what it stands on as it is; others are wiped.
+WALL, WALLS = 0.96, 0.35
+
+#: Least area, as a share of what is kept, that comes or goes for whole outlines to move.
+LARGE = 0.15
+
+#: Greatest ratio of what is free of the borders of gaps beside a bar, and what is not. A gap is
+#: free at its ends; edges that move leave pieces free along all their length.
+GAP = 0.8
+
+#: Least ratio of the distance between the ends of what a piece stands on and its length.
+STRAIGHT = 0.95
+
+#: Least mean height of a piece over what it stands on, as a share of its foot, to be a part by
+#: itself. A corner has a quarter; larger, and corners are rounded from all along their edges.
+FLAT = 0.15
+
+#: Most pieces besides holes and what lies beside bars.
+MOST_PIECES = 6
+
+#: When a hole opens.
+OPENS = (0.1, 0.9)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bar:
+    """A straight bar.
+
+    Attributes
+    ----------
+    centre : (2,) float64
+    ahead : (2,) float64
+        Direction in which it is drawn, of length 1: downwards, or to the right.
+    half : float
+        Half its width.
+    """
+
+    centre: Points
+    ahead: Points
+    half: float
+
+    def holds(self, points: Points) -> bool:
+        """Whether all points (N, 2) lie beside it."""
+        aside = np.abs(cross(points - self.centre, self.ahead))
+        return bool(aside.max() <= BESIDE * self.half)
+
+
+def bar_of(area: "shapely.Geometry") -> Bar | None:
+    """The bar that an area is; None of others."""
+    import shapely
+
+    corners = shapely.get_coordinates(area.minimum_rotated_rectangle)
+    if len(corners) < 5:
+        return None
+    sides = np.diff(corners[:3], axis=0)
+    lengths = np.linalg.norm(sides, axis=1)
+    long = int(lengths.round(9).argmax())
+    if lengths[long] < SLENDER * lengths[1 - long] or area.area < FILLED * lengths.prod():
+        return None
+    ahead = sides[long] / lengths[long]
+    level = abs(ahead[1]) < 1e-6
+    if (ahead[0] if level else ahead[1]) < 0:
+        ahead = -ahead
+    return Bar(corners[:4].mean(axis=0), ahead, float(lengths[1 - long] / 2))
+
+
+def tracks_of_pieces(
+    laid: Overlay,
+    bars: Sequence[Bar],
+    first: Mapping[int, Outline],
+    second: Mapping[int, Outline],
+    reach: float,
+) -> tuple[Track, ...] | None:
+    """Tracks of what is kept, first its largest ring, and of all pieces.
+
+    Parameters
+    ----------
+    laid : Overlay
+    bars : sequence of Bar
+        Bars that one of the areas has and the other has not.
+    first, second : mapping of int to Outline
+        Rings of both areas but for loose holes, as they are drawn, by their numbers.
+    reach : float
+        Distance within which outlines are one.
+
+    Returns
+    -------
+    tuple of Track or None
+        None if what differs has rather moved.
+    """
+    import shapely
+
+    holes: list[Piece] = []
+    others: list[Piece] = []
+    for piece in laid.pieces:
+        closed = piece.free.length < OPEN * piece.area.length and not len(piece.area.interiors)
+        (holes if closed else others).append(piece)
+    bars = bars or _common_bar(others)
+    groups: list[list[Piece]] = [[] for _ in bars]
+    rest: list[Piece] = []
+    for piece in others:
+        points = shapely.get_coordinates(piece.area)
+        beside = [k for k, bar in enumerate(bars) if bar.holds(points)]
+        (groups[beside[0]] if beside else rest).append(piece)
+    openings = [_opening(piece, laid) for piece in holes]
+    areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
+    large = max(areas) > LARGE * laid.kept.area
+    if large and not bars and not all(_stands(piece, laid) for piece in rest):
+        outlines = outline_tracks(first, second, laid.snapped.stretches, reach)
+        if outlines is not None:
+            return (*outlines, *openings)
+    if min(areas) > MOVED * laid.kept.area or len(rest) > MOST_PIECES or _edges_move(rest, reach):
+        return None
+    solid = shapely.union_all([laid.kept, *(p.area for p in holes)])
+    rings = sorted(laid.outlines(solid), key=lambda r: -round(abs(r.area) / laid.scale**2, 9))
+    tracks: list[Track] = [_blend(ring.curves, laid.at_last(ring)) for ring in rings]
+    for bar, group in zip(bars, groups, strict=True):
+        tracks += _along(bar, group, laid)
+    tracks += [_at_contact(piece, laid) for piece in rest]
+    return (*tracks, *openings)
+
+
+def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
+    """Whether what comes and goes lies along edges that move, rather than being parts by itself."""
+    import shapely
+
+    for piece in rest:
+        if piece.contact.is_empty:
+            continue
+        ends = shapely.get_coordinates(shapely.line_merge(piece.contact).boundary)
+        across = float(np.hypot(*(ends[-1] - ends[0]))) if len(ends) == 2 else np.inf
+        bent = across < STRAIGHT * piece.contact.length < STRAIGHT * piece.free.length
+        if bent or piece.area.area < FLAT * piece.contact.length**2:
+            return True
+    come, go = ([p.area for p in rest if p.comes == comes] for comes in (True, False))
+    return bool(
+        come and go and shapely.distance(shapely.union_all(come), shapely.union_all(go)) < reach
+    )
+
+
+def _common_bar(pieces: Sequence[Piece]) -> list[Bar]:
+    """The bar that several pieces are parts of together, as those beside a slash are."""
+    import shapely
+
+    ratios = [
+        sum(p.free.length for p in side) / max(sum(p.contact.length for p in side), 1e-300)
+        for side in ([p for p in pieces if p.comes == comes] for comes in (False, True))
+        if side
+    ]
+    if len(ratios) < 2 or min(ratios) > GAP:
+        return []
+    together = shapely.union_all([piece.area for piece in pieces]).convex_hull
+    bar = bar_of(together)
+    return [] if bar is None else [bar]
+
+
+def _blend(source: Curves, target: Curves) -> Blend:
+    return Blend(Pieces(source, target, True), np.stack([source[0, 0], target[0, 0]]))
+
+
+def _rings_of(piece: Piece, laid: Overlay) -> tuple[Outline, ...]:
+    """A piece's rings as that area has them whose it is."""
+    rings = laid.outlines(piece.area)
+    if not piece.comes:
+        return tuple(rings)
+    return tuple(Outline(laid.at_last(ring)) for ring in rings)
+
+
+def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
+    """Pieces wiped as a bar is drawn, or undrawn."""
+    import shapely
+
+    if not group:
+        return []
+    places = np.concatenate([shapely.get_coordinates(p.area) for p in group]) @ bar.ahead
+    low, high = float(places.min()), float(places.max())
+    # Which of the areas has the bar: it is what reaches farthest.
+    reach = {p.comes: 0.0 for p in group}
+    for piece in group:
+        own = shapely.get_coordinates(piece.area) @ bar.ahead
+        reach[piece.comes] = max(reach[piece.comes], abs(own - low).max(), abs(own - high).max())
+    drawn = reach.get(True, 0.0) >= reach.get(False, 0.0)
+    ends = (low, high) if drawn else (high, low)
+    return [Wiped(_rings_of(p, laid), bar.ahead, ends, p.comes == drawn) for p in group]
+
+
+def _opening(piece: Piece, laid: Overlay) -> Track:
+    """A hole that opens round its middle, or closes."""
+    (ring,) = _rings_of(piece, laid)
+    middle = piece.area.centroid
+    void = ring.reversed().curves
+    point = np.broadcast_to(np.array([middle.x, middle.y]), void.shape).copy()
+    ends = (void, point) if piece.comes else (point, void)
+    return Timed(_blend(*ends), OPENS)
+
+
+def _at_contact(piece: Piece, laid: Overlay) -> Track:
+    """A piece that comes out of what it touches, or goes into it."""
+    import shapely
+
+    way = _way(piece)
+    places = shapely.get_coordinates(piece.area) @ way
+    low, high = float(places.min()), float(places.max())
+    rings = _rings_of(piece, laid)
+    if _stands(piece, laid) and _has_walls(piece, way):
+        return Telescoped(rings, way, low, high - low, piece.comes)
+    ends = (low, high) if piece.comes else (high, low)
+    return Wiped(rings, way, ends, True)
+
+
+def _stands(piece: Piece, laid: Overlay) -> bool:
+    """Whether a piece stands on what is kept, and slides into it without coming out elsewhere."""
+    import shapely
+
+    if piece.contact.is_empty or piece.contact.length > piece.free.length:
+        return False
+    way = _way(piece)
+    points = shapely.get_coordinates(piece.area.exterior)
+    places = points @ way
+    low, high = float(places.min()), float(places.max())
+    half = np.minimum((high - low) / 2, places - low)
+    sunk = shapely.make_valid(shapely.Polygon(points - half[:, None] * way))
+    stray = sunk.difference(shapely.union(piece.area, laid.kept))
+    return bool(stray.area < STRAY * piece.area.area)
+
+
+def _has_walls(piece: Piece, way: Points) -> bool:
+    """Whether much of a piece's free border runs straight up from what it stands on."""
+    import shapely
+
+    steps = [
+        np.diff(shapely.get_coordinates(line), axis=0)
+        for line in shapely.get_parts(shapely.line_merge(piece.free)).tolist()
+    ]
+    every = np.concatenate(steps)
+    lengths = np.linalg.norm(every, axis=1)
+    upright = np.abs(every @ way) > WALL * lengths
+    return bool(lengths[upright].sum() > WALLS * lengths.sum())
+
+
+def _way(piece: Piece) -> Points:
+    """Direction from where a piece touches what is kept to its free end, of length 1."""
+    size = float(np.sqrt(piece.area.area))
+    if not piece.contact.is_empty and not piece.free.is_empty:
+        middles = [np.array([g.centroid.x, g.centroid.y]) for g in (piece.contact, piece.free)]
+        way = middles[1] - middles[0]
+        length = float(np.hypot(*way))
+        if length > ONE_SIDED * size:
+            return np.asarray(way / length)
+    import shapely
+
+    corners = shapely.get_coordinates(piece.area.minimum_rotated_rectangle)
+    sides = np.diff(corners[:3], axis=0)
+    lengths = np.linalg.norm(sides, axis=1)
+    return np.asarray(sides[int(lengths.round(9).argmax())] / lengths.max())

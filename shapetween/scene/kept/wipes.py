@@ -1,0 +1,255 @@
+"""Tracks of what comes and goes beside what stands still: wiped by a line, or slid into it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Floats, Mask, Points
+from shapetween.geometry.bezier import sub_curves
+from shapetween.model.outline import Outline
+from shapetween.scene.motion.tracks import Meshless, Track
+from shapetween.scene.presence import smooth_step
+
+__all__ = ["Against", "Telescoped", "Timed", "Wiped"]
+
+#: Bisections that a place on a curve is found by, to the last digit.
+BISECTIONS = 54
+
+
+@dataclass(frozen=True, eq=False)
+class Wiped(Meshless):
+    """Rings of which only what lies on one side of a moving straight line is left.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+        Closed, as they are where nothing is wiped.
+    ahead : (2,) float64
+        Direction in which the line moves, of length 1, square to it.
+    ends : (float, float)
+        Where it is at times 0 and 1, along that direction.
+    behind : bool
+        Whether what is behind the line is left, else what is before it.
+
+    Notes
+    -----
+    It is the clipping of polygons by a half plane [SH74]_ with every step kept: each curve that
+    runs one way along the direction gives its part on the line's side and a straight way along the
+    line, either of which may be a point.
+
+    .. [SH74] I. E. Sutherland, G. W. Hodgman, *Reentrant polygon clipping*, Communications of the
+       ACM 17(1), 1974.
+    """
+
+    rings: tuple[Outline, ...]
+    ahead: Points
+    ends: tuple[float, float]
+    behind: bool
+
+    @cached_property
+    def _runs(self) -> tuple[Curves, tuple[int, ...]]:
+        """All rings' curves, each running one way along the direction; how many of each ring."""
+        parts = [_one_way(ring.curves, self.ahead) for ring in self.rings]
+        return np.concatenate(parts), tuple(len(part) for part in parts)
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(2 * count for count in self._runs[1])
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return (True,) * len(self.rings)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        curves, _ = self._runs
+        sign = -1.0 if self.behind else 1.0
+        ahead = sign * self.ahead
+        line = sign * ((1 - t) * self.ends[0] + t * self.ends[1])
+        shape = (len(t), len(curves))
+        place = np.broadcast_to(curves @ ahead, (*shape, 4))
+        limit = np.broadcast_to(line[:, None], shape)
+        rising = place[..., 3] >= place[..., 0]
+        low, high = place[..., [0, 3]].min(axis=-1), place[..., [0, 3]].max(axis=-1)
+        at = _crossing(place, np.clip(limit, low, high), rising)
+        many = np.broadcast_to(curves, (*shape, 4, 2)).reshape(-1, 4, 2)
+        ones = np.ones(at.size)
+        head = sub_curves(many, 0 * ones, at.ravel()).reshape(*shape, 4, 2)
+        tail = sub_curves(many, at.ravel(), ones).reshape(*shape, 4, 2)
+        left, gone = low >= limit, high <= limit
+        whole = np.broadcast_to(curves, (*shape, 4, 2))
+        start, end = (
+            whole[..., k, :] + np.maximum(limit - place[..., k], 0.0)[..., None] * ahead
+            for k in (0, 3)
+        )
+        # What runs up to the line's side of the plane comes off it, what runs down ends on it.
+        meet = np.where(rising[..., None], tail[..., 0, :], head[..., 3, :])
+        meet = np.where(gone[..., None], np.where(rising[..., None], end, start), meet)
+        meet = np.where(left[..., None], np.where(rising[..., None], start, end), meet)
+        drawn = np.where(rising[..., None, None], tail, head)
+        drawn = np.where(left[..., None, None], whole, drawn)
+        drawn = np.where(gone[..., None, None], meet[..., None, :], drawn)
+        along = np.where(rising[..., None, None], _straight(start, meet), _straight(meet, end))
+        first = np.where(rising[..., None, None], along, drawn)
+        second = np.where(rising[..., None, None], drawn, along)
+        result = np.stack([first, second], axis=2).reshape(len(t), -1, 4, 2)
+        return _closed(result, self.counts)
+
+
+def _straight(start: Points, end: Points) -> Curves:
+    thirds = np.linspace(0.0, 1.0, 4)[:, None]
+    return np.asarray((1 - thirds) * start[..., None, :] + thirds * end[..., None, :])
+
+
+def _closed(curves: Curves, counts: tuple[int, ...]) -> Curves:
+    """Curves (F, N, 4, 2) each of which starts where the one before it ends, to the last digit."""
+    first = 0
+    for count in counts:
+        own = curves[:, first : first + count]
+        own[:, :, 0] = np.roll(own[:, :, 3], 1, axis=1)
+        first += count
+    return curves
+
+
+def _one_way(curves: Curves, ahead: Points) -> Curves:
+    """Curves cut where they turn back along a direction."""
+    place = curves @ ahead
+    steps = np.diff(place, axis=1)
+    # The derivative's coefficients over t squared, t and 1.
+    a, b, c = (
+        steps[:, 0] - 2 * steps[:, 1] + steps[:, 2],
+        2 * (steps[:, 1] - steps[:, 0]),
+        steps[:, 0],
+    )
+    scale = np.abs(steps).max(axis=1)
+    parts = []
+    for k, curve in enumerate(curves):
+        if np.abs(a[k]) > 1e-9 * scale[k]:
+            roots = np.roots([a[k], b[k], c[k]])
+        elif np.abs(b[k]) > 1e-9 * scale[k]:
+            roots = np.array([-c[k] / b[k]])
+        else:
+            roots = np.zeros(0)
+        real = roots[np.abs(np.imag(roots)) < 1e-9].real
+        cuts = np.sort(real[(real > 1e-6) & (real < 1 - 1e-6)])
+        cuts = np.concatenate([[0.0], cuts, [1.0]])
+        own = sub_curves(np.repeat(curve[None], len(cuts) - 1, axis=0), cuts[:-1], cuts[1:])
+        own[0, 0], own[-1, 3] = curve[0], curve[3]
+        parts.append(own)
+    return np.concatenate(parts)
+
+
+def _crossing(place: Floats, limit: Floats, rising: Mask) -> Floats:
+    """Where curves' places along a direction, which rise or fall all along, reach a limit."""
+    low, high = np.zeros(limit.shape), np.ones(limit.shape)
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        rest = 1 - middle
+        found = (
+            rest**3 * place[..., 0]
+            + 3 * rest**2 * middle * place[..., 1]
+            + 3 * rest * middle**2 * place[..., 2]
+            + middle**3 * place[..., 3]
+        )
+        before = (found < limit) == rising
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return (low + high) / 2
+
+
+@dataclass(frozen=True, eq=False)
+class Timed(Meshless):
+    """A track that runs in a share of the time, from rest to rest.
+
+    Attributes
+    ----------
+    track : Track
+    window : (float, float)
+    """
+
+    track: Track
+    window: tuple[float, float]
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """As the track's."""
+        return self.track.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As the track's."""
+        return self.track.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        low, high = self.window
+        return self.track.curves(smooth_step((t - low) / (high - low)))
+
+
+@dataclass(frozen=True, eq=False)
+class Telescoped(Meshless):
+    """Rings that slide into what they stand on: no point goes below their foot.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+        Closed, as they are where they stand.
+    ahead : (2,) float64
+        Direction out of what they stand on, of length 1.
+    foot, height : float
+        Where they stand along it, and how far they reach from there.
+    comes : bool
+        Whether they slide out.
+    """
+
+    rings: tuple[Outline, ...]
+    ahead: Points
+    foot: float
+    height: float
+    comes: bool
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(len(ring.curves) for ring in self.rings)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return (True,) * len(self.rings)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        whole = np.concatenate([ring.curves for ring in self.rings])
+        sunk = ((1 - t) if self.comes else t)[:, None, None] * self.height
+        room = np.maximum(whole @ self.ahead - self.foot, 0.0)
+        return np.asarray(whole - np.minimum(sunk, room)[..., None] * self.ahead)
+
+
+@dataclass(frozen=True, eq=False)
+class Against(Meshless):
+    """A track whose rings run the other way round.
+
+    Attributes
+    ----------
+    track : Track
+    """
+
+    track: Track
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """As the track's."""
+        return self.track.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As the track's."""
+        return self.track.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        own = np.split(self.track.curves(t), np.cumsum(self.counts)[:-1], axis=1)
+        return np.concatenate([ring[:, ::-1, ::-1] for ring in own], axis=1)

@@ -1,0 +1,258 @@
+"""Areas of which most stays where it is: that stands still, and only the difference moves."""
+
+import numpy as np
+import pytest
+import shapely
+
+from shapetween.base.arrays import Points
+from shapetween.boolean.area import filled_area
+from shapetween.geometry.bezier import flatten
+from shapetween.model.drawing import Drawing
+from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.scene.kept.outlines import outline_tracks
+from shapetween.scene.kept.stretches import snapped
+from shapetween.scene.kept.wipes import Telescoped, Wiped
+from shapetween.svg.read.reader import read_svg
+from tests.drawings import ring, square
+from tests.scene.strokes import arc
+
+PAGE = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>"
+T = np.linspace(0, 1, 9)
+
+BOX = shapely.box(20, 20, 80, 80)
+SLASH = shapely.LineString([(12, 12), (88, 88)]).buffer(4)
+CROSSED = BOX.difference(SLASH.buffer(6))
+
+
+def path(area: shapely.Geometry, fill: str = "#000") -> str:
+    """A path of polygons, all their rings by the even-odd rule."""
+    lines = [line for part in shapely.get_parts(area) for line in shapely.get_rings(part)]
+    data = "".join(
+        "M" + " ".join(f"{x:.9f},{y:.9f}" for x, y in line.coords[:-1]) + "Z" for line in lines
+    )
+    return f"<path d='{data}' fill='{fill}' fill-rule='evenodd'/>"
+
+
+def prepared(first: str, second: str, options: Options | None = None) -> Prepared:
+    one, other = (read_svg(f"{PAGE}{d}</svg>".encode(), "x") for d in (first, second))
+    return prepare(one, other, options)
+
+
+def drawn(frame: Drawing) -> shapely.Geometry:
+    """All that is seen of a frame."""
+    seen = []
+    for shape in frame.shapes:
+        if shape.style.opacity > 0.05:
+            lines = [np.append(flatten(r.curves, 24), r.curves[-1:, 3], 0) for r in shape.rings]
+            seen.append(filled_area(lines, shape.style.fill_rule))
+    return shapely.union_all(seen)
+
+
+def frames(first: str, second: str, times: Points = T) -> list[shapely.Geometry]:
+    return [drawn(frame) for frame in prepared(first, second).movement.at(times)]
+
+
+def off(one: shapely.Geometry, other: shapely.Geometry) -> float:
+    return float(one.symmetric_difference(other).area)
+
+
+@pytest.mark.parametrize("elements", ["one", "several"])
+def test_a_slash_comes_along_its_length_and_the_body_stands_still(elements: str) -> None:
+    after = path(CROSSED) + path(SLASH)
+    if elements == "one":
+        after = path(shapely.MultiPolygon([*CROSSED.geoms, SLASH]))
+    found = frames(path(BOX), after)
+    kept = BOX.difference(SLASH.buffer(6.01))
+    for t, area in zip(T, found, strict=True):
+        assert kept.difference(area).area < 0.01
+        assert area.difference(BOX.union(SLASH)).area < 1e-2
+        # Before the tip there is no gap yet, behind it there is no more of it to come.
+        tip = 12 - 4 / np.sqrt(2) + t * (76 + 8 / np.sqrt(2))
+        behind = shapely.Polygon([(0, 0), (2 * tip - 3, 0), (0, 2 * tip - 3)])
+        before = shapely.Polygon([(100, 100), (2 * tip - 97, 100), (100, 2 * tip - 97)])
+        whole = shapely.union(CROSSED, SLASH)
+        assert off(area.intersection(behind), whole.intersection(behind)) < 0.05
+        if 2 * tip - 97 < 100:
+            assert off(area.intersection(before), BOX.intersection(before)) < 0.05
+
+
+def test_both_ends_are_the_drawings_themselves_and_back_is_the_same() -> None:
+    after = path(CROSSED) + path(SLASH)
+    forth, back = frames(path(BOX), after), frames(after, path(BOX))
+    assert off(forth[0], BOX) < 0.01
+    assert off(forth[-1], CROSSED.union(SLASH)) < 0.03
+    for one, other in zip(forth, back[::-1], strict=True):
+        assert off(one, other) < 1e-2
+
+
+def test_a_slash_that_hangs_on_the_body_by_one_side_is_drawn_too() -> None:
+    band = SLASH.buffer(6).difference(SLASH)
+    gap = shapely.get_parts(band.difference(shapely.LineString([(0, 0), (100, 100)]).buffer(0.01)))
+    one_side = max(gap.tolist(), key=lambda part: part.centroid.x)
+    after = BOX.union(SLASH).difference(one_side)
+    for area in frames(path(BOX), path(after)):
+        assert after.intersection(BOX).difference(area).area < 0.05
+        assert area.difference(BOX.union(SLASH)).area < 0.05
+
+
+def test_coordinates_off_by_rounding_are_one_outline_and_exact_at_both_ends() -> None:
+    disc = shapely.Point(50, 50).buffer(30, quad_segs=4)
+    moved = shapely.transform(disc, lambda p: p + 0.05 * np.sin(p[:, ::-1]))
+    after = shapely.difference(moved, SLASH.buffer(6))
+    found = frames(path(disc), path(after) + path(SLASH))
+    assert off(found[0], disc) < 0.01
+    assert off(found[-1], after.union(SLASH)) < 1e-2
+    assert len(shapely.get_parts(found[1])) <= 2  # no shreds along the outline
+
+
+def test_a_new_hole_opens_round_its_middle() -> None:
+    hole = shapely.Point(55, 45).buffer(12)
+    for t, area in zip(T, frames(path(BOX), path(BOX.difference(hole))), strict=True):
+        void = BOX.difference(area)
+        if t > 0.2:
+            assert void.area > 1
+            assert void.centroid.distance(hole.centroid) < 0.1
+            assert void.difference(hole.buffer(0.01)).area < 0.01
+        assert area.difference(BOX).area < 0.01
+
+
+def test_a_hole_slides_and_stays_a_disc() -> None:
+    """As the knob of a switch: it does not close here and open there."""
+    pill = shapely.LineString([(30, 50), (70, 50)]).buffer(20)
+    left, right = (shapely.Point(x, 50).buffer(12) for x in (30, 70))
+    for t, area in zip(
+        T, frames(path(pill.difference(left)), path(pill.difference(right))), strict=True
+    ):
+        (void,) = [v for v in shapely.get_parts(pill.difference(area)) if v.area > 1e-3]
+        assert void.area == pytest.approx(left.area, rel=0.01)
+        assert void.centroid.x == pytest.approx(30 + 40 * t, abs=0.1)
+
+
+def test_a_hole_that_is_a_stroke_bends_as_a_line_at_constant_width() -> None:
+    """A mouth that turns from a smile to a frown, knocked out of the face."""
+    mouths = [
+        "M33 45A18 18 0 0 0 67 45 2.5 2.5 0 0 0 62.3 43.3"
+        " 13 13 0 0 1 37.7 43.3 2.5 2.5 0 0 0 33 45Z",
+        "M33 63A18 18 0 0 1 67 63 2.5 2.5 0 0 1 62.3 64.7"
+        " 13 13 0 0 0 37.7 64.7 2.5 2.5 0 0 1 33 63Z",
+    ]
+    face = "M10 50A40 40 0 1 1 90 50A40 40 0 1 1 10 50Z"
+    first, second = (f"<path d='{face}{mouth}' fill-rule='evenodd'/>" for mouth in mouths)
+    found = frames(first, second)
+    whole = shapely.Point(50, 50).buffer(39, quad_segs=32)
+    start = whole.difference(found[0])
+    for area in found:
+        mouth = whole.difference(area)
+        around = 2 * mouth.area / mouth.length
+        assert around == pytest.approx(2 * start.area / start.length, rel=0.06)
+        mirrored = shapely.transform(mouth, lambda p: np.column_stack([100 - p[:, 0], p[:, 1]]))
+        assert off(mouth, mirrored) < 0.03 * mouth.area
+
+
+def test_an_arm_slides_into_the_body_with_its_end_as_it_is() -> None:
+    body = shapely.box(20, 50, 80, 80)
+    arm = shapely.LineString([(50, 55), (50, 25)]).buffer(5)
+    for t, area in zip(T[1:-1], frames(path(body.union(arm)), path(body))[1:-1], strict=True):
+        out = area.difference(body)
+        top = 20 + 30 * t
+        assert out.bounds[1] == pytest.approx(top, abs=0.3)
+        if top < 44:
+            assert out.intersection(shapely.box(0, 0, 100, top + 5)).area == pytest.approx(
+                np.pi * 25 / 2, rel=0.03
+            )
+
+
+def test_a_corner_is_cut_by_a_line_that_moves_straight() -> None:
+    cut = BOX.difference(shapely.Polygon([(60, 20), (80, 20), (80, 40)]))
+    for area in frames(path(BOX), path(cut))[1:-1]:
+        assert len(shapely.get_coordinates(area.simplify(0.05))) == 6
+
+
+def test_a_notch_is_drawn_in_by_the_outline_itself() -> None:
+    notched = BOX.difference(shapely.box(40, 35, 80, 50))
+    for area in frames(path(BOX), path(notched)):
+        assert notched.buffer(-1e-3).difference(area).area < 1e-2
+        assert area.geom_type == "Polygon"
+
+
+def test_what_has_moved_is_no_kept_area() -> None:
+    """A shackle that turns: what is left of it must not be wiped, and come elsewhere."""
+    body = shapely.box(20, 50, 80, 90)
+    bow = shapely.LineString([(35, 55), (35, 30), (65, 30), (65, 55)]).buffer(4)
+    turned = shapely.LineString([(65, 55), (65, 30), (95, 30), (95, 45)]).buffer(4)
+    scene = prepared(path(body.union(bow)), path(body.union(turned))).scene
+    assert scene is None or all(role.reason != "kept" for role in scene.roles.pairs)
+
+
+def test_edges_that_move_do_so_as_wholes() -> None:
+    wider = shapely.Polygon([(14, 20), (86, 20), (80, 80), (20, 80)])
+    for area in frames(path(BOX), path(wider)):
+        assert off(area, area.convex_hull) < 4
+
+
+def test_another_colour_in_between_keeps_areas_apart() -> None:
+    sheet = path(shapely.box(25, 25, 75, 75), "#f00")
+    after = path(CROSSED) + sheet + path(SLASH)
+    roles = prepared(path(BOX) + sheet, after).scene
+    assert roles is not None
+    assert all(role.reason != "kept" for role in roles.roles.pairs)
+
+
+def test_what_is_matched_by_the_user_is_no_part_of_a_kept_area() -> None:
+    first = path(BOX).replace("<path", "<path id='box'")
+    second = path(CROSSED) + path(SLASH).replace("<path", "<path id='bar'")
+    scene = prepared(first, second, Options(matches=(("box", "bar"),))).scene
+    assert scene is not None
+    assert all(role.reason != "kept" for role in scene.roles.pairs)
+
+
+@pytest.mark.parametrize("behind", [False, True])
+def test_a_wipe_leaves_exactly_what_is_on_one_side_of_the_line(behind: bool) -> None:
+    disc = arc((50, 50), 20, 0, 4)
+    ahead = np.array([0.6, 0.8])
+    track = Wiped((disc,), ahead, (40.0, 110.0), behind)
+    curves = track.curves(T)
+    assert curves.shape[1] == sum(track.counts)
+    across = np.array([-0.8, 0.6])
+    for t, frame in zip(T, curves, strict=True):
+        tip, side = (40 + 70 * t) * ahead, -1 if behind else 1
+        half = shapely.Polygon(
+            [
+                tip + 500 * across,
+                tip - 500 * across,
+                tip - 500 * across + side * 500 * ahead,
+                tip + 500 * across + side * 500 * ahead,
+            ]
+        )
+        expected = shapely.Polygon(flatten(disc.curves, 48)).intersection(half).area
+        found = abs(shapely.Polygon(flatten(frame, 48)).area)
+        assert found == pytest.approx(expected, abs=0.1)
+    np.testing.assert_array_equal(curves[:, :, 3], np.roll(curves[:, :, 0], -1, axis=1))
+
+
+def test_what_slides_never_goes_below_its_foot() -> None:
+    track = Telescoped((square(40, 20, 20),), np.array([0.0, -1.0]), -40.0, 20.0, comes=False)
+    np.testing.assert_allclose(track.curves(T)[..., 1].max(axis=(1, 2)), 40)
+    np.testing.assert_allclose(track.curves(T)[..., 1].min(axis=(1, 2)), 20 + 20 * T)
+
+
+def test_stretches_end_where_outlines_part() -> None:
+    first = square(0, 0, 60)
+    second = ring([(0, 0), (60, 0), (60, 20), (50, 30), (60, 40), (60, 60), (0, 60)])
+    found = snapped([first], [second], 0.2)
+    (stretch,) = found.stretches
+    ends = stretch.pieces.target[[0, -1], [0, 3]]
+    np.testing.assert_allclose(ends, [(60, 40), (60, 20)], atol=1e-6)
+    assert found.shared[1][0] == pytest.approx(60 + 60 + 60 + 20 + 20, abs=1e-3)
+
+
+def test_rings_that_divide_have_no_tracks_of_outlines() -> None:
+    first, second = (
+        [square(0, 0, 60)],
+        [square(0, 0, 25), ring([(35, 0), (60, 0), (60, 60), (35, 60)])],
+    )
+    found = snapped(first, second, 0.2)
+    assert (
+        outline_tracks(dict(enumerate(first)), dict(enumerate(second)), found.stretches, 0.2)
+        is None
+    )
