@@ -54,7 +54,7 @@ def keyed(part: Part, options: WriteOptions, size: float, easing: Easing = np.as
     clock = (
         enough_times(part) if options.keyframes == "auto" else even_times(int(options.keyframes))
     )
-    shape = sampled(part, easing(clock), size)
+    shape = sampled(part, easing(clock), size, merged=options.keyframes == "auto")
     points = shape.stack.reshape(len(clock), -1, 2)[:, shape.points]
     if shape.still:
         return Keyed(shape, clock[:1], shape.spread(points[:1]))
@@ -62,7 +62,7 @@ def keyed(part: Part, options: WriteOptions, size: float, easing: Easing = np.as
         return Keyed(shape, clock, shape.spread(points))
     tolerance = KEYFRAME_TOLERANCE * size
     knots, values = fitted_keyframes(points, clock, tolerance)
-    while len(knots) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(sum(part.rings), 1)):
+    while len(knots) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(sum(shape.rings), 1)):
         tolerance *= LOOSER
         knots, values = fitted_keyframes(points, clock, tolerance)
     return Keyed(shape, knots, shape.spread(values))

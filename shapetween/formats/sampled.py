@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
+from shapetween.geometry.merging import merged_curves
 from shapetween.model.movement import Part
 
 __all__ = ["STRAIGHT", "Sampled", "enough_times", "sampled"]
@@ -13,6 +14,10 @@ __all__ = ["STRAIGHT", "Sampled", "enough_times", "sampled"]
 #: for the curve to be written as a line. Larger and soft bends break; smaller and rounding in the
 #: files that drawings come from keeps lines curves, which take three times the bytes.
 STRAIGHT = 8e-5
+
+#: How far a point may be from its place where curves become one, on the way and at the ends, as
+#: shares of the view box's larger side. More is seen; less keeps curves that nobody can tell apart.
+MERGED, EXACT = 4.5e-5, 2e-5
 
 #: Samples of one way: as many steps as keyframes may lie on. Fewer miss quick turns.
 SAMPLES = 121
@@ -82,7 +87,7 @@ class Sampled:
         return values[:, where].reshape(len(values), -1, 4, 2)
 
 
-def sampled(part: Part, times: Floats, size: float) -> Sampled:
+def sampled(part: Part, times: Floats, size: float, *, merged: bool = True) -> Sampled:
     """Sample a part.
 
     Parameters
@@ -92,9 +97,13 @@ def sampled(part: Part, times: Floats, size: float) -> Sampled:
         Of the movement.
     size : float
         The view box's larger side.
+    merged : bool
+        Whether neighbours that are one curve at all samples may become one.
     """
-    stack = part.curves(times)
-    return Sampled(part.rings, part.closed, stack, _straight(stack, STRAIGHT * size))
+    stack, rings = part.curves(times), part.rings
+    if merged:
+        stack, rings = merged_curves(stack, rings, MERGED * size, EXACT * size)
+    return Sampled(rings, part.closed, stack, _straight(stack, STRAIGHT * size))
 
 
 def enough_times(part: Part, count: int = SAMPLES) -> Floats:

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from shapetween.base.arrays import Curves
 from shapetween.formats.grid import Grid
-from shapetween.formats.keyed import keyed
+from shapetween.formats.keyed import Keyed, keyed
 from shapetween.formats.lottie.paints import paint_losses, painted, visible
 from shapetween.formats.lottie.properties import Json, fixed, moving, moving_values, short
 from shapetween.formats.options import WriteOptions
@@ -72,7 +71,7 @@ def _part_layers(
     if not visible(styles):
         return [], []
     keys = keyed(part, options, max(grid.box.width, grid.box.height))
-    rings = _paths(keys.curves, part, grid)
+    rings = _paths(keys, grid)
     shapes = [
         {"ty": "sh", "ks": moving_values(length * keys.clock, [[path] for path in ring])}
         for ring in rings
@@ -105,12 +104,12 @@ def _part_layers(
     return layers, paint_losses(styles)
 
 
-def _paths(curves: Curves, part: Part, grid: Grid) -> list[list[Json]]:
+def _paths(keys: Keyed, grid: Grid) -> list[list[Json]]:
     """Of every ring, its path at every keyframe."""
-    cells = grid.cells(curves)
+    cells = grid.cells(keys.curves)
     rings = []
     first = 0
-    for count, closed in zip(part.rings, part.closed, strict=True):
+    for count, closed in zip(keys.shape.rings, keys.shape.closed, strict=True):
         own = cells[:, first : first + count]
         first += count
         leaving, arriving = own[:, :, 1] - own[:, :, 0], own[:, :, 2] - own[:, :, 3]

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Floats
+from shapetween.geometry.merging import merged_curves
 from shapetween.model.movement import Part
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
@@ -21,6 +22,10 @@ __all__ = ["ShapeMotion", "shape_motion"]
 #: How far a handle may be from the chord of a curve that is written as a line, for the tolerance of
 #: points: less than half of it. Larger and curves that bulge on the way are flattened.
 STRAIGHT = 0.45
+
+#: How far a point may be from its place where curves become one, for the tolerance of points.
+#: Larger and both together are seen; smaller and curves stay two that nobody can tell from one.
+MERGED = 0.25
 
 #: How far a handle may be off for a point of the outline: no point of a curve moves by more than
 #: three quarters of what both of its handles do.
@@ -61,8 +66,10 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     clock = _for_so_many(clock, sum(part.rings))
     step = 10.0**-decimals
     finer, kept = clock.schedule.finer()
-    stack = part.curves(finer.time)
-    form = PathForm.of(part.rings, part.closed, straight_curves(stack, STRAIGHT * tolerance, step))
+    stack, rings = part.curves(finer.time), part.rings
+    if clock.adaptive:
+        stack, rings = merged_curves(stack, rings, MERGED * tolerance, step / 2)
+    form = PathForm.of(rings, part.closed, straight_curves(stack, STRAIGHT * tolerance, step))
     points = form.points(stack)
     first = on_grid(points[:1], decimals)
     rest = form.texts(first, decimals)[0]
