@@ -4,9 +4,10 @@ Points that move smoothly move in few independent ways, so that
 
     X(u) = X(0) + sum_j C_j E_j(u)
 
-holds closely with five to ten easings E_j, each a cubic Bezier from 0 to 1 over the whole way, and
-fixed displacements C_j of all points, which add up to X(1) - X(0). A player that can add, as SMIL's
-``additive="sum"`` does, needs no keyframes then, and a file a fifth of their bytes.
+holds closely with five to ten easings E_j, each a cubic Bezier from 0 to 1 over the whole way or
+over a window of it, and fixed displacements C_j of all points, which add up to X(1) - X(0). A
+player that can add, as SMIL's ``additive="sum"`` does, needs no keyframes then, and a file a fifth
+of their bytes.
 
 The easings are chosen by orthogonal matching pursuit [Pat93]_ with exchanges, and the displacements
 rounded to a grid one easing after another, each making up for the rounding of those before it
@@ -17,14 +18,12 @@ rounded to a grid one easing after another, each making up for the rounding of t
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shapetween.base.arrays import Floats
-from shapetween.timing.easing import bezier_share
+from shapetween.timing.windows import Eased, eased_shares, library, turning_times
 
 __all__ = ["EasingSum", "Grid", "sum_of_easings"]
 
@@ -34,17 +33,12 @@ Grid = NDArray[np.int64]
 #: Most easings of a sum. With more, keyframes are about as short, and a player adds for longer.
 MOST_TERMS = 16
 
-#: Handles of the easings to choose among. A finer set saves no easing on the pairs it was tried on;
-#: a coarser one costs one or two.
-HANDLES_X = (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
-HANDLES_Y = (0.0, 0.5, 1.0)
-
-#: Easings that are nowhere farther apart than this are one: telling them apart needs displacements
-#: so large that rounding them shows.
-APART = 0.02
-
 #: Weight of the end, which must be met, among samples that weigh 1.
 END_WEIGHT = 100.0
+
+#: Of so many samples one takes part in the pursuit, whose time grows with their square; how far off
+#: a sum is is looked at at all of them. With fewer, what moves quickly is overlooked.
+PURSUED = 2
 
 #: Share of a movement's extent below which what is left of it is rounding, and no longer fitted.
 NOISE = 1e-6
@@ -52,6 +46,9 @@ NOISE = 1e-6
 #: How many times the error allowed the pursuit may be off before exchanges are tried to bring it
 #: down. Larger saves a term at times and takes several times as long.
 NEARLY = 10
+
+#: With so few easings over windows no others are sought.
+AT_ONCE = 3
 
 #: A movement that after so many easings is off by so many times the error allowed jumps somewhere,
 #: and no sum comes near it. Sooner or less, and sums that would do are given up.
@@ -71,9 +68,6 @@ ROUNDING = 0.5
 #: Share by which choices and rounding keep off ties, so that no last bit decides.
 TIE = 1e-7
 
-#: Halvings that solve an easing for its parameter: to a millionth of a share.
-HALVINGS = 24
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class EasingSum:
@@ -81,24 +75,29 @@ class EasingSum:
 
     Attributes
     ----------
-    handles : tuple of (x1, y1, x2, y2)
-        Of each easing.
+    easings : tuple of Eased
+        By when they set off.
     terms : (M, K, 2) int64
         The displacement of every point for each easing; they add up to the way from the first
         place to the last exactly.
     """
 
-    handles: tuple[tuple[float, float, float, float], ...]
+    easings: tuple[Eased, ...]
     terms: Grid
 
     def at(self, clock: Floats) -> Floats:
         """Displacements at some times of the player's clock (S,), (S, K, 2), in steps."""
-        shares = np.stack([_ease(handles, clock) for handles in self.handles], axis=1)
+        shares = np.stack([eased_shares(easing, clock) for easing in self.easings], axis=1)
         return np.tensordot(shares, self.terms, axes=1)
 
 
 def sum_of_easings(
-    points: Floats, clock: Floats, step: float, tolerance: float, importance: Floats
+    points: Floats,
+    clock: Floats,
+    step: float,
+    tolerance: float,
+    importance: Floats,
+    most: int = MOST_TERMS,
 ) -> EasingSum | None:
     """The shortest sum found that stays near a movement.
 
@@ -114,85 +113,79 @@ def sum_of_easings(
         Greatest distance allowed between a point and its place, before rounding.
     importance : (K,) float64
         What each point's distance counts.
+    most : int
+        How many easings are of use.
 
     Returns
     -------
     EasingSum or None
         None if no sum is near enough.
     """
-    count = len(points)
-    moved = (points - points[0]).reshape(count, -1)
-    whole = np.rint(points[-1] / step) - np.rint(points[0] / step)
-    whole = whole.astype(np.int64).reshape(-1)
-    extent = float(np.abs(moved).max(initial=0.0))
-    if extent == 0.0:
+    moved = (points - points[0]).reshape(len(points), -1)
+    if not np.abs(moved).max(initial=0.0):
         return None
-    library = _library(clock.tobytes())
-    weights = np.ones(count)
-    weights[-1] = END_WEIGHT
-    pursuit = _Pursuit(library.shares * weights[:, None], moved * weights[:, None])
-
-    def worst() -> Floats:
-        return _worst(library.shares[:, pursuit.chosen], moved, whole * step) * importance
-
-    for _ in range(min(MOST_TERMS, count - 1)):
-        pursuit.add()
-        off = worst()
-        if len(pursuit.chosen) > SOON and off.max() > HOPELESS * tolerance:
-            return None
-        if tolerance < off.max() <= NEARLY * tolerance:
-            pursuit.emphasise(off)
-            if pursuit.exchange():
-                off = worst()
-        if off.max() <= tolerance:
-            easings = library.shares[:, pursuit.chosen]
-            allowed = tolerance / step + ROUNDING
-            terms = _coarsely_rounded(easings, moved / step, whole, allowed, importance)
-            if terms is not None:
-                handles = tuple(library.handles[k] for k in pursuit.chosen)
-                return EasingSum(handles, terms.reshape(len(handles), -1, 2))
-    return None
+    whole = (np.rint(points[-1] / step) - np.rint(points[0] / step)).astype(np.int64).reshape(-1)
+    task = _Task(moved, whole, clock, step, tolerance, importance)
+    turns = turning_times(points, clock, tolerance)
+    best = task.solved(turns, most) if turns else None
+    if best is not None and len(best.easings) <= AT_ONCE:
+        return best
+    # Windows that are none lead the pursuit astray.
+    plain = task.solved((), most if best is None else min(most, len(best.easings)))
+    return plain or best
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Library:
-    """Easings to choose among: their handles, and what they are at the samples, (S, L)."""
+class _Task:
+    """Displacements (S, 2 K) at samples of a clock, the last of them in steps, and what is near."""
 
-    handles: tuple[tuple[float, float, float, float], ...]
-    shares: Floats
+    moved: Floats
+    whole: Grid
+    clock: Floats
+    step: float
+    tolerance: float
+    importance: Floats
 
+    def solved(self, turns: tuple[float, ...], most: int) -> EasingSum | None:
+        """The shortest sum found with windows between some times; None if none is near enough."""
+        count = len(self.moved)
+        choices, shares = library(self.clock, turns)
+        weights = np.ones(count)
+        weights[-1] = END_WEIGHT
+        rows = np.unique(np.append(np.arange(0, count, PURSUED), count - 1))
+        pursuit = _Pursuit((shares * weights[:, None])[rows], (self.moved * weights[:, None])[rows])
+        for _ in range(min(most, MOST_TERMS, count - 1)):
+            pursuit.add()
+            off = self._off(shares[:, pursuit.chosen])
+            if len(pursuit.chosen) > SOON and off.max() > HOPELESS * self.tolerance:
+                return None
+            if self.tolerance < off.max() <= NEARLY * self.tolerance:
+                pursuit.emphasise(off)
+                if pursuit.exchange():
+                    off = self._off(shares[:, pursuit.chosen])
+            if off.max() <= self.tolerance:
+                # Who sets off first takes the others along.
+                chosen = sorted(pursuit.chosen, key=lambda k: choices[k].window[0])
+                terms = self._rounded(shares[:, chosen])
+                if terms is not None:
+                    return EasingSum(tuple(choices[k] for k in chosen), terms)
+        return None
 
-@lru_cache(maxsize=8)
-def _library(clock: bytes) -> _Library:
-    times = np.frombuffer(clock, np.float64)
-    even = np.linspace(0, 1, 101)
-    handles: list[tuple[float, float, float, float]] = []
-    seen: list[Floats] = []
-    choices = [(1 / 3, 1 / 3, 2 / 3, 2 / 3)]
-    choices += [
-        (x1, y1, x2, y2)
-        for x1, y1, x2, y2 in product(HANDLES_X, HANDLES_Y, HANDLES_X, HANDLES_Y)
-        if y1 <= y2 or x1 <= x2
-    ]
-    for choice in choices:
-        shape = _ease(choice, even)
-        if not seen or np.abs(np.array(seen) - shape).max(axis=1).min() > APART:
-            seen.append(shape)
-            handles.append(choice)
-    shares = np.stack([_ease(choice, times) for choice in handles], axis=1)
-    shares.setflags(write=False)
-    return _Library(tuple(handles), shares)
+    def _off(self, easings: Floats) -> Floats:
+        """How far each point is off at its worst, (K,), where the best sum of easings is."""
+        left = self.moved - easings[:, :1] * (self.whole * self.step)
+        if easings.shape[1] > 1:
+            axes = np.linalg.qr(_basis(easings))[0]
+            left -= axes @ (axes.T @ left)
+        return np.asarray(_longest(left) * self.importance)
 
-
-def _ease(handles: tuple[float, float, float, float], clock: Floats) -> Floats:
-    x1, y1, x2, y2 = handles
-    low, high = np.zeros_like(clock), np.ones_like(clock)
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        before = bezier_share(middle, x1, x2) < clock
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    share = bezier_share((low + high) / 2, y1, y2)
-    return np.asarray(np.where(clock <= 0, 0.0, np.where(clock >= 1, 1.0, share)))
+    def _rounded(self, easings: Floats) -> Grid | None:
+        """Displacements (M, K, 2), on as coarse grids as are near enough; None if none is."""
+        allowed = self.tolerance / self.step + ROUNDING
+        terms = _coarsely_rounded(
+            easings, self.moved / self.step, self.whole, allowed, self.importance
+        )
+        return None if terms is None else terms.reshape(len(terms), -1, 2)
 
 
 def _compressed(values: Floats) -> Floats:
@@ -208,6 +201,7 @@ class _Pursuit:
 
     def __init__(self, library: Floats, values: Floats) -> None:
         self._library, self._moved = library, values
+        self._sizes = (library**2).sum(axis=0)
         self._values = _compressed(values)
         self.chosen: list[int] = []
 
@@ -233,19 +227,15 @@ class _Pursuit:
                     self.chosen[place] = best
         return before != self.chosen
 
-    def _rest(self, others: list[int]) -> tuple[Floats, Floats]:
-        """The library and the values without what some columns explain."""
-        if not others:
-            return self._library, self._values
-        basis = np.linalg.qr(self._library[:, others])[0]
-        library = self._library - basis @ (basis.T @ self._library)
-        return library, self._values - basis @ (basis.T @ self._values)
-
     def _gains(self, others: list[int]) -> Floats:
-        library, values = self._rest(others)
-        size = (library**2).sum(axis=0)
-        known = size > 1e-9 * (self._library**2).sum(axis=0)
-        gains = ((library.T @ values) ** 2).sum(axis=1)
+        """How much more each column explains where some are given."""
+        size, values = self._sizes, self._values
+        if others:
+            basis = np.linalg.qr(self._library[:, others])[0]
+            size = size - ((basis.T @ self._library) ** 2).sum(axis=0)
+            values = values - basis @ (basis.T @ values)
+        known = size > 1e-9 * self._sizes
+        gains = ((self._library.T @ values) ** 2).sum(axis=1)
         return np.asarray(gains * known / np.where(known, size, 1.0))
 
     def _best(self, others: list[int]) -> tuple[int, float]:
@@ -261,15 +251,6 @@ class _Pursuit:
 def _basis(easings: Floats) -> Floats:
     """Differences to the first easing: what the others add to it, 0 at both ends."""
     return easings[:, 1:] - easings[:, :1]
-
-
-def _worst(easings: Floats, moved: Floats, whole: Floats) -> Floats:
-    """How far each point is off at its worst, (K,), where the best sum of these easings is."""
-    left = moved - easings[:, :1] * whole
-    if easings.shape[1] > 1:
-        basis = np.linalg.qr(_basis(easings))[0]
-        left -= basis @ (basis.T @ left)
-    return _longest(left)
 
 
 def _longest(values: Floats) -> Floats:

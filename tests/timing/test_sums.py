@@ -9,6 +9,7 @@ from shapetween.base.arrays import Floats
 from shapetween.timing.easing import easing_function
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings
+from shapetween.timing.windows import Eased, turning_times
 
 SCHEDULE, _ = Schedule.of("linear").finer()
 CLOCK = SCHEDULE.clock
@@ -32,9 +33,11 @@ def found(points: Floats, importance: Floats | None = None) -> EasingSum | None:
 def shown(result: EasingSum, points: Floats, clock: Floats) -> Floats:
     """As a player works it out, by easings solved anew."""
     total = np.broadcast_to(np.rint(points[0] / STEP) * STEP, (len(clock), *points[0].shape)).copy()
-    for handles, term in zip(result.handles, result.terms, strict=True):
-        ease = easing_function(f"cubic-bezier({','.join(map(repr, handles))})")
-        total += ease(clock)[:, None, None] * term * STEP
+    for easing, term in zip(result.easings, result.terms, strict=True):
+        ease = easing_function(f"cubic-bezier({','.join(map(repr, easing.handles))})")
+        start, end = easing.window
+        share = ease(np.clip((clock - start) / (end - start), 0, 1))
+        total += share[:, None, None] * term * STEP
     return total
 
 
@@ -59,17 +62,17 @@ def test_a_straight_way_is_one_easing() -> None:
     points = np.array([[0.0, 0.0], [50.0, 10.0]]) + CLOCK[:, None, None] * np.array([300.0, 40.0])
     result = found(points)
     assert result is not None
-    assert result.handles == ((1 / 3, 1 / 3, 2 / 3, 2 / 3),)
+    assert result.easings == (Eased((1 / 3, 1 / 3, 2 / 3, 2 / 3)),)
     eased = easing_function("cubic-bezier(.4,0,.6,1)")(CLOCK)
     result = found(points[:1] + eased[:, None, None] * np.array([300.0, 40.0]))
     assert result is not None
-    assert len(result.handles) == 1
+    assert len(result.easings) == 1
 
 
 def test_few_easings_do_where_a_third_of_a_turn_takes_dozens_of_keyframes() -> None:
     result = found(turning(2.1, CLOCK))
     assert result is not None
-    assert len(result.handles) <= 6
+    assert len(result.easings) <= 6
 
 
 def test_what_jumps_or_shakes_is_no_sum() -> None:
@@ -86,7 +89,48 @@ def test_what_returns_to_where_it_was_is_a_sum_too() -> None:
     result = found(points)
     assert result is not None
     np.testing.assert_array_equal(result.terms.sum(axis=0), 0)
-    assert len(result.handles) <= MOST_TERMS
+    assert len(result.easings) <= MOST_TERMS
+
+
+def smooth(t: Floats) -> Floats:
+    s = np.clip(t, 0.0, 1.0)
+    return np.asarray(s * s * (3 - 2 * s))
+
+
+def test_what_goes_in_a_part_of_the_time_is_one_easing_over_it() -> None:
+    """It shrinks without a jerk, and is still for the rest."""
+    home = turning(0.0, CLOCK)[:1]
+    points = home * (1 - smooth(CLOCK / 0.45))[:, None, None]
+    assert turning_times(points, CLOCK, TOLERANCE) == (0.45,)
+    result = found(points)
+    assert result is not None
+    assert result.easings == (Eased((1 / 3, 0.0, 2 / 3, 1.0), (0.0, 0.45)),)
+    later = home * smooth((CLOCK - 0.55) / 0.45)[:, None, None]
+    result = found(later)
+    assert result is not None
+    assert result.easings == (Eased((1 / 3, 0.0, 2 / 3, 1.0), (0.55, 1.0)),)
+
+
+def test_what_goes_while_it_is_carried_takes_few_more() -> None:
+    """Without windows it takes three times as many, or cannot be."""
+    points = turning(1.2, CLOCK) * (1 - 0.7 * smooth((CLOCK - 0.1) / 0.45))[:, None, None]
+    result = found(points)
+    assert result is not None
+    assert len(result.easings) <= 9
+    away = shown(result, points, CLOCK) - points
+    assert np.linalg.norm(away, axis=-1).max() <= TOLERANCE + STEP
+    starts = [easing.window[0] for easing in result.easings]
+    assert starts == sorted(starts)
+
+
+def test_smooth_movement_has_no_corners() -> None:
+    assert turning_times(turning(2.5, CLOCK), CLOCK, TOLERANCE) == ()
+
+
+def test_no_more_easings_are_sought_than_are_of_use() -> None:
+    points = turning(2.1, CLOCK)
+    weights = np.ones(points.shape[1])
+    assert sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights, 2) is None
 
 
 def test_what_stands_still_is_none() -> None:
@@ -98,7 +142,7 @@ def test_points_of_less_importance_may_be_farther_off() -> None:
     points[:, ::2, 0] += 1.5 * np.sin(9 * CLOCK)[:, None]
     even, uneven = found(points), found(points, np.where(np.arange(40) % 2, 1.0, 0.05))
     assert uneven is not None
-    assert even is None or len(uneven.handles) < len(even.handles)
+    assert even is None or len(uneven.easings) < len(even.easings)
 
 
 @pytest.mark.parametrize("scale", [1 / 1024, 1024.0])
@@ -110,5 +154,5 @@ def test_units_do_not_matter(scale: float) -> None:
     )
     assert usual is not None
     assert other is not None
-    assert usual.handles == other.handles
+    assert usual.easings == other.easings
     np.testing.assert_array_equal(usual.terms, other.terms)

@@ -18,6 +18,7 @@ from shapetween.timing.fitted import fitted_keyframes
 from shapetween.timing.keyframes import keyframes
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Passage, Timeline
+from shapetween.timing.windows import Eased
 
 __all__ = ["Clock", "Trigger"]
 
@@ -29,6 +30,9 @@ SPLINE_DECIMALS = 4
 
 #: Decimals of seconds.
 SECOND_DECIMALS = 3
+
+#: Keyframes that are counted: with so many any sum of easings takes fewer bytes.
+MOST_COUNTED = 64
 
 #: Handles of one straight interval.
 _STRAIGHT = np.array([LINEAR])
@@ -66,9 +70,9 @@ class Clock:
     leg: int = 0
     trigger: Trigger | None = None
 
-    def needs(self, samples: Floats, tolerance: float, most: int) -> bool:
-        """Whether more than so many keyframes are needed for the samples (S, K, D)."""
-        return len(keyframes(samples, self.schedule.time, tolerance, most)) > most
+    def keyframes_needed(self, samples: Floats, tolerance: float) -> int:
+        """How many keyframes on the way the samples (S, K, D) need, as far as they are counted."""
+        return len(keyframes(samples, self.schedule.time, tolerance, MOST_COUNTED))
 
     def pick(self, samples: Floats, tolerance: float) -> Index:
         """Which of the samples (S, K, D) become keyframes."""
@@ -110,12 +114,27 @@ class Clock:
         """The easing between samples, (M - 1, 4), None where it is even."""
         return None if self.schedule.handles == LINEAR else self.schedule.parts(picks)
 
-    def eased(
-        self, handles: tuple[float, float, float, float], rest: str, value: str
-    ) -> list[dict[str, str]]:
-        """Attributes that run from one value to another along an easing of their own."""
-        clock = np.array([0.0, 1.0])
-        return self.running(clock, (rest, value), np.array([handles]))
+    def eased(self, easing: Eased, rest: str, value: str) -> list[dict[str, str]]:
+        """Attributes that run from one value to another along an easing of their own.
+
+        Over a window of the way: what is played once sets off and arrives with it.
+        """
+        start, end = easing.window
+        if self.timeline.loop == "once" and self.trigger is None:
+            (passage,) = self._passages
+            begin = passage.start + start * (passage.end - passage.start)
+            stop = passage.start + end * (passage.end - passage.start)
+            (way,) = self._ways
+            inside = replace(way, passages=(replace(passage, start=begin, end=stop),))
+            handles = np.array([easing.handles])
+            return [self._once(inside, np.array([0.0, 1.0]), (rest, value), handles)]
+        moments = [0.0, start, end, 1.0]
+        values, rows = [rest, rest, value, value], [LINEAR, easing.handles, LINEAR]
+        if end == 1:
+            del moments[3], values[3], rows[2]
+        if start == 0:
+            del moments[0], values[0], rows[0]
+        return self.running(np.array(moments), values, np.array(rows))
 
     @property
     def is_one_way(self) -> bool:

@@ -34,6 +34,10 @@ HANDLE = 0.75
 #: Share of the last decimal below which nothing moves: rounding hides it.
 STILL = 0.25
 
+#: Bytes of a keyframe and of one more animation besides path data, and the data of a sum's term
+#: beside that of a keyframe. They only decide between the two, whichever file is smaller.
+KEYFRAME, ANIMATION, TERM = 8, 130, 0.5
+
 #: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
 #: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
 MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
@@ -76,12 +80,12 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     if np.ptp(points, axis=0).max(initial=0.0) <= STILL * step:
         return ShapeMotion(rest, ())
     importance = np.where(form.handles, HANDLE, 1.0)
-    found = None
     if clock.adaptive:
-        found = sum_of_easings(points, finer.clock, step, tolerance, importance)
+        most = _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
+        found = sum_of_easings(points, finer.clock, step, tolerance, importance, most)
+        if found is not None:
+            return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
     points = points[kept]
-    if found is not None and clock.needs(points, tolerance, len(found.handles)):
-        return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
     moments, values, easing = _keyframes(points, importance, clock, tolerance)
     texts = form.texts(on_grid(values, decimals), decimals)
     if len(set(texts)) == 1:
@@ -90,19 +94,24 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     return ShapeMotion(rest, tuple({"attributeName": "d", **timing} for timing in running))
 
 
+def _terms_of_use(length: int, keyframes: int) -> int:
+    """How many easings take fewer bytes than so many keyframes of some length each."""
+    return int((keyframes - 2) * (length + KEYFRAME) / (ANIMATION + TERM * length)) + 1
+
+
 def _summed(
     found: EasingSum, first: Grid, form: PathForm, clock: Clock, decimals: int
 ) -> tuple[dict[str, str], ...]:
     """The animations of a sum of easings; the first replaces, and the others add."""
     rest, *_ = form.texts(first, decimals)
     start, *added = form.texts(np.concatenate([first + found.terms[:1], found.terms[1:]]), decimals)
-    head, *tail = found.handles
+    head, *tail = found.easings
     # All of one way together: what sets off with the first, which replaces, adds to it.
     ways = [[{"attributeName": "d", **timing}] for timing in clock.eased(head, rest, start)]
     zero = form.zero()
-    for handles, text in zip(tail, added, strict=True):
-        for way, timing in zip(ways, clock.eased(handles, zero, text), strict=True):
-            if clock.is_one_way:
+    for easing, text in zip(tail, added, strict=True):
+        for way, timing in zip(ways, clock.eased(easing, zero, text), strict=True):
+            if clock.is_one_way and timing["values"].count(";") == 1:
                 del timing["values"]
                 timing["by"] = text
             way.append({"attributeName": "d", "additive": "sum", **timing})
