@@ -16,6 +16,15 @@ __all__ = ["AppearingRegion", "Ground"]
 #: Chords of a curve where a polygon will do.
 CHORDS = 8
 
+#: Steps of the grid, in a ring's size, on which its middle is looked for. A coarser one moves it, a
+#: finer one lets through what rounding leaves.
+GRID = 2.0**30
+
+#: Distance of the centroid from the border, as a share of the greatest one that a point inside has,
+#: from which a ring closes to it. With less, a crescent closes to a place on its edge; with all of
+#: it, only a ring without any dent closes to its centroid.
+CLEAR = 0.6
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ground:
@@ -89,20 +98,10 @@ class AppearingRegion:
         is_hole : bool
             Whether the ring is itself a hole, and is drawn the other way round.
         """
-        import shapely
-
         first = outer.reversed() if is_hole else outer
         rings = [first, *(hole.reversed() for hole in holes)]
         curves = np.concatenate([ring.curves for ring in rings])
-        polygon = shapely.make_valid(
-            shapely.Polygon(flatten(outer.curves, CHORDS)), method="structure", keep_collapsed=False
-        )
-        extent = float(np.ptp(outer.box, axis=0).max())
-        # A ring so thin that nothing of it is left closes to the middle of its box.
-        centre = np.asarray(outer.box.mean(axis=0))
-        if not polygon.is_empty:
-            circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2 * extent)
-            centre = np.array(circle.coords[0])
+        centre = _middle(outer)
         still = cls(curves, tuple(len(r.curves) for r in rings), end, centre)
         if on is None:
             return still
@@ -129,3 +128,26 @@ class AppearingRegion:
         result = shrunk.reshape(len(t), *self.whole.shape)
         result[size == 1] = self.whole
         return np.asarray(result)
+
+
+def _middle(outer: Outline) -> Points:
+    """The point that a ring closes to: its centroid where that lies well inside, (2,).
+
+    Else the middle of the largest circle in it. A slot has many such circles: of those, rounding
+    would choose.
+    """
+    import shapely
+
+    low, high = outer.box
+    middle, extent = (low + high) / 2, float((high - low).max())
+    if not extent > 0:
+        return np.asarray(middle)
+    points = np.round((flatten(outer.curves, CHORDS) - middle) / extent * GRID) / GRID
+    polygon = shapely.make_valid(shapely.Polygon(points), method="structure", keep_collapsed=False)
+    if polygon.is_empty:  # so thin that nothing of it is left
+        return np.asarray(middle)
+    circle = shapely.maximum_inscribed_circle(polygon, tolerance=1e-2)
+    best, centroid = circle.length, polygon.centroid
+    clear = shapely.distance(polygon.boundary, centroid) >= CLEAR * best
+    chosen = centroid if clear and polygon.contains(centroid) else shapely.get_point(circle, 0)
+    return np.asarray(middle + extent * shapely.get_coordinates(chosen)[0])

@@ -45,6 +45,10 @@ OPAQUE = 0.999
 #: Size of a line beside that of its diagonal: a long line is seen as less than an area as large.
 SLIM = 1.5
 
+#: Share by which a ring may be wider than its stroke and still be a dot: icon sets draw dots as
+#: rings exactly as wide. Without it, rounding decides.
+ROUNDED = 1e-6
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Painted:
@@ -268,7 +272,8 @@ def joined(ring: Outline, stroke: Stroke) -> Outline:
     gap = float(np.linalg.norm(end - start))
     if ring.closed or stroke.dashes or gap > MEET * stroke.width:
         return ring
-    if float(np.ptp(ring.curves.reshape(-1, 2), axis=0).max()) <= stroke.width:
+    extent = float(np.ptp(ring.curves.reshape(-1, 2), axis=0).max())
+    if extent <= (1 + ROUNDED) * stroke.width:
         return ring  # a dot is no ring
     leaving, reaching = end_tangents(ring.curves[[0, -1]])
     smooth = gap == 0 and float(leaving[0] @ reaching[1]) > SMOOTH

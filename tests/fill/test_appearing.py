@@ -76,3 +76,11 @@ def test_outlines_that_are_not_simple_have_a_middle_too(outline: Outline) -> Non
     centre = AppearingRegion.of(outline, (), End.TARGET, None).centre
     assert (centre > 0).all()
     assert (centre < 10).all()
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_a_slot_closes_to_its_middle(unit: float) -> None:
+    """Circles as large fit in all along it; the one at an end would be as good, but for the eye."""
+    slot = polygon(unit * np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 2.0], [0.0, 2.0]]))
+    centre = AppearingRegion.of(slot, (), End.TARGET, None).centre
+    np.testing.assert_allclose(centre, unit * np.array([5.0, 1.0]), rtol=1e-6)
