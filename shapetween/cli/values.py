@@ -1,6 +1,5 @@
 """What options take: how a value is read, and how a wrong one is answered."""
 
-import difflib
 import math
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -111,6 +110,8 @@ class Name(click.ParamType[Any]):
         """Check the name."""
         if value in self.choices:
             return value
+        import difflib  # only for what is misspelt
+
         near = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.4)
         hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(self.choices)}"
         return self.fail(f"{value!r} is not known; {hint}")

@@ -7,14 +7,14 @@ its pattern. The pattern is prepared once and filled many times.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.linalg import LinAlgError
-from scipy.linalg.lapack import dpbtrf, dpbtrs
-from scipy.sparse import coo_array, csr_array
-from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from shapetween.base.arrays import Complex, Floats, Index, Mask
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 __all__ = ["BandPattern", "BandSystem", "factorised", "numbered", "substituted"]
 
@@ -35,6 +35,9 @@ def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
     free : (U,) intp
         The vertex of each number.
     """
+    from scipy.sparse import coo_array  # slow to import, and many drawings need no mesh
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
     free = np.flatnonzero(~fixed)
     number = np.append(np.where(fixed, -1, np.cumsum(~fixed) - 1), -1)
     unknowns = number[elements]
@@ -102,7 +105,7 @@ class BandSystem:
 
     free: Index
     _bands: tuple[Floats, Floats]
-    _sum: csr_array[np.float64, tuple[int, int]]
+    _sum: "csr_array[np.float64, tuple[int, int]]"
     _border: Index
     _corners: Index
     _blocks: tuple[Floats, Floats]
@@ -110,6 +113,8 @@ class BandSystem:
     @classmethod
     def of(cls, elements: Index, fixed: Mask, start: Floats, end: Floats) -> "BandSystem":
         """Sum A and B from blocks (E, K, K) of elements (E, K); -1 names no point."""
+        from scipy.sparse import coo_array
+
         unknowns, free = numbered(elements, fixed)
         pattern = BandPattern.of(unknowns, len(free))
         rows, columns = unknowns[unknowns >= 0], np.flatnonzero(unknowns.ravel() >= 0)
@@ -161,12 +166,16 @@ def factorised(band: Floats) -> Floats:
     LinAlgError
         If the matrix is not positive definite.
     """
+    from scipy.linalg.lapack import dpbtrf
+
     factor, failed = dpbtrf(band, lower=1)
     if failed:
-        raise LinAlgError(f"not positive definite at unknown {failed}")
+        raise np.linalg.LinAlgError(f"not positive definite at unknown {failed}")
     return np.asarray(factor)
 
 
 def substituted(factor: Floats, right: Floats) -> Floats:
     """Solution for right sides (U, K) by a factor of `factorised`, (U, K)."""
+    from scipy.linalg.lapack import dpbtrs
+
     return np.asarray(dpbtrs(factor, right, lower=1)[0])

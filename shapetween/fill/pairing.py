@@ -10,6 +10,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Mask, Points
 from shapetween.fill.naming import is_given
+from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.model.drawing import Shape
 from shapetween.model.paint import Colour, Gradient, Paint
 
@@ -146,8 +147,6 @@ def _cheapest(
     """Pairs of some rows and columns of the costs, as long as they cost less than to be alone."""
     if len(rows) == len(columns) == 1:
         return [(rows[0], columns[0])]
-    from scipy.optimize import linear_sum_assignment  # slow to import, and most drawings are one
-
     cost = every[np.ix_(rows, columns)]
     # Every thing may also be left alone: a partner of its own for each, at that price.
     height, width = cost.shape
@@ -156,7 +155,7 @@ def _cheapest(
     table[np.arange(height), width + np.arange(height)] = left
     table[height + np.arange(width), np.arange(width)] = left
     table[height:, width:] = 0.0
-    found = zip(*(k.tolist() for k in linear_sum_assignment(table)), strict=True)
+    found = zip(*(k.tolist() for k in cheapest_pairs(table)), strict=True)
     chosen = [(i, j) for i, j in found if i < height and j < width]
     if not chosen and np.isfinite(cost).any():
         chosen = [divmod(int(cost.argmin()), width)]

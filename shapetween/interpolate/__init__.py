@@ -1,6 +1,5 @@
 """Methods that move a mesh pair, behind one interface."""
 
-import difflib
 from collections.abc import Callable
 
 from shapetween.base.errors import OptionError
@@ -41,6 +40,8 @@ def check_method(method: str) -> None:
         If it is not.
     """
     if method not in METHODS:
+        import difflib  # only for what is misspelt
+
         near = difflib.get_close_matches(method, METHODS, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise OptionError(f"method: {method!r} is none of {', '.join(METHODS)}{hint}")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Floats, Mask
+from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.costs import (
     Current,
     alone,
@@ -149,8 +150,6 @@ def _same(one: Current, other: Current) -> bool:
 
 def _cheapest(costs: Floats, left: Floats, right: Floats) -> Current:
     """Pairs of least total cost; each item may be left alone at its price."""
-    from scipy.optimize import linear_sum_assignment
-
     height, width = costs.shape
     table = np.full((height + width, height + width), np.inf)
     rank = np.abs(np.arange(height)[:, None] / height - np.arange(width) / width)
@@ -158,7 +157,7 @@ def _cheapest(costs: Floats, left: Floats, right: Floats) -> Current:
     table[np.arange(height), width + np.arange(height)] = np.round(left, DECIMALS)
     table[height + np.arange(width), np.arange(width)] = np.round(right, DECIMALS)
     table[height:, width:] = 0.0
-    rows, columns = linear_sum_assignment(table)
+    rows, columns = cheapest_pairs(table)
     made = (rows < height) & (columns < width)
     rows, columns = rows[made], columns[made]
     return Current(rows, columns, costs[rows, columns])

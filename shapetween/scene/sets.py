@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.relations import Scene, in_common
 
 __all__ = ["paired_sets"]
@@ -21,15 +22,13 @@ def paired_sets(a: Scene, b: Scene) -> list[tuple[int, int]]:
     rows = [_in_row(scene, own) for scene, own in zip((a, b), members, strict=True)]
     if rows[0] is not None and rows[1] is not None:
         return list(zip(rows[0], rows[1], strict=True))
-    from scipy.optimize import linear_sum_assignment
-
     places = []
     for scene, own in zip((a, b), members, strict=True):
         centres = scene.centres[own]
         low, size = centres.min(axis=0), np.ptp(centres, axis=0)
         places.append((centres - low) / np.where(size > 0, size, 1.0))
     cost = np.round(np.linalg.norm(places[0][:, None] - places[1], axis=-1), 6)
-    first, second = linear_sum_assignment(cost)
+    first, second = cheapest_pairs(cost)
     return [(members[0][i], members[1][j]) for i, j in zip(first, second, strict=True)]
 
 

@@ -8,7 +8,6 @@ the shape moves. Whoever draws it may draw what strangers wrote: see `shapetween
 
 import copy
 import xml.etree.ElementTree as ET
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -64,7 +63,7 @@ def pattern_texture(
         f"fill:none;stroke:url(#{reference});stroke-opacity:{number(alpha, 4)};"
         f"stroke-width:{wide};stroke-linejoin:miter;stroke-dasharray:none"
     )
-    element = f"<path d='M{x} {y}h{width}v{height}h-{width}z' style={quoteattr(style)}/>"
+    element = f"<path d='M{x} {y}h{width}v{height}h-{width}z' style={_quoted(style)}/>"
     return _texture(document, element, frame, definitions=True)
 
 
@@ -189,4 +188,11 @@ def _address(document: Document, address: str) -> str:
 
 
 def _attributes(values: dict[str, str]) -> str:
-    return " ".join(f"{name}={quoteattr(value)}" for name, value in values.items())
+    return " ".join(f"{name}={_quoted(value)}" for name, value in values.items())
+
+
+def _quoted(value: str) -> str:
+    """The value of an attribute, with its quotes."""
+    from xml.sax.saxutils import quoteattr  # brings all that speaks to networks along
+
+    return quoteattr(value)

@@ -145,7 +145,7 @@ def _piecewise(name: str, numbers: tuple[float, ...]) -> Easing:
     return lambda u: np.asarray(np.interp(u, clocks, values))
 
 
-def bezier_share(s: Floats, first: float, second: float) -> Floats:
+def bezier_share(s: Floats, first: float | Floats, second: float | Floats) -> Floats:
     """A cubic Bezier from 0 to 1 with the two handles given."""
     r = 1 - s
     return 3 * r * r * s * first + 3 * r * s * s * second + s**3

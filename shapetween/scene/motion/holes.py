@@ -6,6 +6,7 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
+from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import ring_knots
@@ -83,8 +84,6 @@ def _nearest(
 ) -> list[tuple[int, int]]:
     if not first or not second:
         return []
-    from scipy.optimize import linear_sum_assignment
-
     size = np.maximum(region.box[1] - region.box[0], 1e-12)
     there = mapped(np.array([hole.centre for hole in first]), forth)
     away = (there[:, None] - np.array([hole.centre for hole in second])) / size
@@ -98,7 +97,7 @@ def _nearest(
     if eyes[0] is not None and eyes[1] is not None:
         reach[eyes] = EYES_APART
         cost[eyes] -= EYES_APART
-    rows, columns = linear_sum_assignment(cost)
+    rows, columns = cheapest_pairs(cost)
     pairs = zip(rows.tolist(), columns.tolist(), strict=True)
     return [(i, j) for i, j in pairs if apart[i, j] < reach[i, j]]
 
