@@ -6,7 +6,7 @@ go evenly.
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.bezier import end_tangents
 from shapetween.geometry.polygon import cross
 from shapetween.scene.motion.bend_knots import along_knots
@@ -113,6 +113,20 @@ def without_points(u: Floats, v: Floats) -> tuple[Floats, Floats]:
     return u[kept], v[kept]
 
 
+def _near(first: Points, second: Points, reach: float) -> tuple[Index, Index]:
+    """Pairs of points no farther apart than so.
+
+    A table of the corners of two coasts would fill the memory.
+    """
+    import shapely
+
+    more = 1.001 * reach
+    around = shapely.box(*(first - more).T, *(first + more).T)
+    one, other = shapely.STRtree(shapely.points(second)).query(around)
+    near = np.linalg.norm(first[one] - second[other], axis=-1) <= reach
+    return one[near], other[near]
+
+
 def anchored_knots(source: Places, target: Places, same: float) -> tuple[Floats, Floats] | None:
     """Knots of two rings that have corners in common, which stay; None of others.
 
@@ -126,9 +140,9 @@ def anchored_knots(source: Places, target: Places, same: float) -> tuple[Floats,
     (at_a, kinks_a), (at_b, kinks_b) = kinks_of(source), kinks_of(target)
     if len(at_a) < 2 or len(at_b) < 2:
         return None
-    away = np.linalg.norm(source.point(at_a)[:, None] - target.point(at_b), axis=-1)
-    alike = (away <= same) & (np.abs(kinks_a[:, None] - kinks_b) < ALIKE)
-    pairs = [(float(at_a[i]), float(at_b[j])) for i, j in np.argwhere(alike).tolist()]
+    first, second = _near(source.point(at_a), target.point(at_b), same)
+    alike = np.abs(kinks_a[first] - kinks_b[second]) < ALIKE
+    pairs = list(zip(at_a[first[alike]].tolist(), at_b[second[alike]].tolist(), strict=True))
     if len(pairs) < 2:
         return None
     pairs.sort()
