@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import time
+import tracemalloc
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -24,11 +25,13 @@ from shapetween.model.drawing import Drawing
 from shapetween.pipeline import prepare
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.numbers import path_data
+from shapetween.svg.write.smil import smil_svg
 from tests.strategies import grid
 
 __all__ = [
     "FRAMES",
     "PAIRS",
+    "ROOT",
     "SIZES",
     "RivalsMissingError",
     "Speeds",
@@ -36,6 +39,7 @@ __all__ = [
     "exponent",
     "machine",
     "peak_memory",
+    "peaks",
     "read",
     "rivals",
     "scaling",
@@ -64,7 +68,7 @@ FRAMES = np.linspace(0, 1, 60)
 SIZES = (10, 32, 100, 316)
 MOST_CORNERS = 2_000_000
 
-#: Names the folder where rivals are installed ("npm install flubber").
+#: Names the folder where rivals are installed ("npm install flubber gsap jsdom").
 FOLDER = "SHAPETWEEN_RIVALS"
 
 #: Size in pixels that rivals get their outlines in; their constants are made for it.
@@ -87,12 +91,15 @@ class Speeds:
         The preparation.
     frame, written : float
         The curves of one frame, and their path data.
+    file : float
+        Writing an animated SVG.
     """
 
     stages: dict[str, float]
     whole: float
     frame: float
     written: float
+    file: float
 
 
 class Stages:
@@ -143,11 +150,48 @@ def speeds(source: Drawing, target: Drawing, rounds: int = 3) -> Speeds:
         best[0],
         _least(lambda: [part.curves(FRAMES) for part in parts], rounds) / len(FRAMES),
         _least(lambda: [path_data(*w, 2) for w in written], rounds) / len(FRAMES),
+        _least(lambda: smil_svg(prepared.movement), rounds),
     )
 
 
-def rivals(pairs: list[tuple[Drawing, Drawing]]) -> list[tuple[float, float]]:
-    """Seconds that flubber takes to set up, and for a frame, for the largest ring of each pair.
+class Peaks:
+    """An observer of the most memory that Python has allocated within each stage, in bytes."""
+
+    def __init__(self) -> None:
+        self.peaks: dict[str, int] = {}
+        self._open: list[int] = []
+
+    def _keep(self) -> None:
+        """Raise the peaks of all stages that are open; a new count begins."""
+        peak = tracemalloc.get_traced_memory()[1]
+        self._open = [max(own, peak) for own in self._open]
+        tracemalloc.reset_peak()
+
+    @contextmanager
+    def __call__(self, stage: str) -> Iterator[None]:
+        self._keep()
+        self._open.append(0)
+        yield
+        self._keep()
+        self.peaks[stage] = max(self.peaks.get(stage, 0), self._open.pop())
+
+
+def peaks(source: Drawing, target: Drawing) -> dict[str, float]:
+    """Most MB that are allocated in each stage, and at all while a pair is prepared and written."""
+    seen = Peaks()
+    tracemalloc.start()
+    try:
+        with seen("whole"):
+            prepared = prepare(source, target, observe=seen)
+            with seen("write"):
+                smil_svg(prepared.movement)
+    finally:
+        tracemalloc.stop()
+    return {stage: peak / 1e6 for stage, peak in seen.peaks.items()}
+
+
+def rivals(pairs: list[tuple[Drawing, Drawing]]) -> list[dict[str, tuple[float, float]]]:
+    """Seconds that each rival takes to set up a pair, and for a frame; of those that can do it.
 
     Raises
     ------
@@ -157,23 +201,27 @@ def rivals(pairs: list[tuple[Drawing, Drawing]]) -> list[tuple[float, float]]:
     node, folder = shutil.which("node"), os.environ.get(FOLDER, "")
     if node is None:
         raise RivalsMissingError("there is no node")
-    if not (Path(folder) / "node_modules/flubber").is_dir():
-        raise RivalsMissingError(f"{FOLDER} does not name a folder where flubber is installed")
-    outlines = json.dumps([[_outline(drawing) for drawing in pair] for pair in pairs])
+    if not all((Path(folder) / "node_modules" / name).is_dir() for name in ("flubber", "gsap")):
+        raise RivalsMissingError(f"{FOLDER} does not name a folder where they are installed")
+    outlines = json.dumps([[_outlines(drawing) for drawing in pair] for pair in pairs])
     script = Path(__file__).with_name("rivals.mjs")
     done = subprocess.run(
         [node, str(script), folder], input=outlines, capture_output=True, text=True, check=True
     )
-    return [(setup, frame) for setup, frame in json.loads(done.stdout)]
+    return [{name: (a, b) for name, (a, b) in row.items()} for row in json.loads(done.stdout)]
 
 
-def _outline(drawing: Drawing) -> str:
-    """Path data of the largest ring, in pixels."""
-    rings = [ring.curves for shape in drawing.shapes for ring in shape.rings]
-    largest = max(rings, key=lambda curves: abs(signed_area(curves)))
+def _outlines(drawing: Drawing) -> list[str]:
+    """Path data of each ring, in pixels, the largest first."""
+    rings = [ring for shape in drawing.shapes for ring in shape.rings]
+    rings.sort(key=lambda ring: -abs(signed_area(ring.curves)))
     box = drawing.box
-    scaled = (largest - [box.x, box.y]) * (UNIT / max(box.width, box.height))
-    return path_data(scaled[None], [len(largest)], [True], 2)[0]
+    size = UNIT / max(box.width, box.height)
+    scaled = [((ring.curves - [box.x, box.y]) * size)[None] for ring in rings]
+    return [
+        path_data(curves, [len(ring.curves)], [ring.closed], 2)[0]
+        for curves, ring in zip(scaled, rings, strict=True)
+    ]
 
 
 def bent_grid(side: int) -> MeshPair:
