@@ -8,14 +8,22 @@ import traceback
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from hashlib import sha256
 from json import dumps
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from shapetween.base.errors import ShapetweenError
 from shapetween.base.version import installed_version
 
+if TYPE_CHECKING:
+    from shapetween.model.drawing import Drawing
+
 __all__ = ["Made", "Task", "Unmade", "make"]
+
+#: Drawings that a worker keeps. With fewer, each against each of a folder reads every drawing anew
+#: for every pair; with more, a worker holds that many large ones in memory.
+KEPT = 32
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,10 +89,8 @@ def make(task: Task) -> Made | Unmade:
 def _made(task: Task) -> Made:
     from shapetween.api import Morph
     from shapetween.formats.options import write_names
-    from shapetween.io.fonts import fonts_in
     from shapetween.mesh.file import load_meshes
     from shapetween.pipeline import Options, prepare
-    from shapetween.svg.read.reader import read_svg
 
     seconds: dict[str, float] = {}
 
@@ -99,12 +105,18 @@ def _made(task: Task) -> Made:
     meshes = load_meshes(task.mesh, task.names[2]) if task.mesh is not None else []
     options = Options(meshes=tuple(meshes), **given)
     with timed("read"):
-        a, b = (
-            read_svg(*both, fonts=fonts_in())
-            for both in zip(task.drawings, task.names[:2], strict=True)
-        )
+        a, b = (_drawing(*both) for both in zip(task.drawings, task.names[:2], strict=True))
     prepared = prepare(a, b, options, names=task.names[:2], observe=timed)
     result = Morph(prepared, options.method)
     with timed("write"):
         svg = result.svg(**writing)
     return Made(svg, result.report(), seconds)
+
+
+@lru_cache(maxsize=KEPT)
+def _drawing(data: bytes, name: str) -> "Drawing":
+    """A drawing, read once for all of a worker's pairs in a row that it is in."""
+    from shapetween.io.fonts import fonts_in
+    from shapetween.svg.read.reader import read_svg
+
+    return read_svg(data, name, fonts=fonts_in())

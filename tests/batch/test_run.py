@@ -15,7 +15,8 @@ import pytest
 from shapetween import morph
 from shapetween.batch import Job, Outcome, run_batch
 from shapetween.batch.processes import process_pool
-from shapetween.batch.work import Task, make
+from shapetween.batch.work import Made, Task, _drawing, make
+from shapetween.svg.read.reader import read_svg
 from tests.cli.commands import SQUARE, TRIANGLE, listing, svg
 
 HEADER = "a,b,out,status,error,quads,triangles"
@@ -214,3 +215,27 @@ def test_what_a_worker_makes_is_what_morph_writes(tmp_path: Path) -> None:
     cells = dict(zip(header.split(","), row.split(","), strict=True))
     assert cells["quads"] == str(len(first.meshes[0][1].quads))
     assert float(cells["least_corner_sine"]) > 0
+
+
+def test_a_worker_reads_a_drawing_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    texts = [line(d).encode() for d in ("M1 2H8V7H2", "M1 2H8L4 8", "M4 1L8 5L4 9L1 4")]
+    tasks = [
+        Task((f"{j}", f"{k}", ""), (texts[j], texts[k]), None, {})
+        for j in range(3)
+        for k in range(3)
+        if j != k
+    ]
+    read: list[str] = []
+
+    def reading(data: bytes, name: str, **options: Any) -> Any:
+        read.append(name)
+        return read_svg(data, name, **options)
+
+    monkeypatch.setattr("shapetween.svg.read.reader.read_svg", reading)
+    made = [make(task) for task in tasks]
+    assert sorted(read) == ["0", "1", "2"]
+    _drawing.cache_clear()
+    last = make(tasks[-1])
+    assert isinstance(last, Made)
+    assert isinstance(made[-1], Made)
+    assert made[-1].svg == last.svg
