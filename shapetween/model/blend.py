@@ -28,7 +28,7 @@ from shapetween.model.gradients import (
     on_offsets,
     solid_gradient,
 )
-from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
+from shapetween.model.paint import Colour, Gradient, Paint, Pattern, Stop, Stroke, Style
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
 from shapetween.model.whole import WholeMotion
 
@@ -112,7 +112,15 @@ def _between(a: Style, b: Style, t: float, turn: float) -> Style:
         fill_rule=_either(a.fill_rule, b.fill_rule, t),
         groups=blend_groups(a.groups, b.groups, t, lambda p, q: _between(p, q, t, turn)),
         crisp=_either(a.crisp, b.crisp, t),
+        pattern=_blend_patterns(a.pattern, b.pattern, t),
     )
+
+
+def _blend_patterns(a: Pattern | None, b: Pattern | None, t: float) -> Pattern | None:
+    """A pattern that both have, on its way; of two that differ nothing, but their mean colours."""
+    if a is None or b is None or (a.text, a.tile) != (b.text, b.tile):
+        return None
+    return replace(a, matrix=_mix_all(a.matrix, b.matrix, t), alpha=_mix(a.alpha, b.alpha, t))
 
 
 def blend_paints(a: Paint, b: Paint, t: float, turn: float = 0.0) -> Paint:

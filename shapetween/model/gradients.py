@@ -13,7 +13,7 @@ import numpy as np
 
 from shapetween.base.arrays import Affine, Floats
 from shapetween.model.effects import Filter, Group, Mask
-from shapetween.model.paint import Colour, Gradient, Stop, Style, Texture
+from shapetween.model.paint import Colour, Gradient, Pattern, Stop, Style, Texture
 
 if TYPE_CHECKING:
     from shapetween.model.drawing import Shape
@@ -30,7 +30,7 @@ __all__ = [
     "solid_gradient",
 ]
 
-PlacedT = TypeVar("PlacedT", Gradient, Texture)
+PlacedT = TypeVar("PlacedT", Gradient, Texture, Pattern)
 
 IDENTITY = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
@@ -82,7 +82,7 @@ def has_gradient(style: Style) -> bool:
     if any(group.masks or group.filter is not None for group in style.groups):
         return True
     paints = (style.fill, style.stroke.paint if style.stroke is not None else None)
-    return any(isinstance(paint, Gradient) for paint in paints)
+    return style.pattern is not None or any(isinstance(paint, Gradient) for paint in paints)
 
 
 def moved(paint: PlacedT, matrix: Affine) -> PlacedT:
@@ -99,6 +99,8 @@ def moved_style(style: Style, matrix: Affine) -> Style:
         style = replace(style, groups=groups)
     if style.texture is not None:
         style = replace(style, texture=moved(style.texture, matrix))
+    if style.pattern is not None:
+        style = replace(style, pattern=moved(style.pattern, matrix))
     if isinstance(style.fill, Gradient):
         style = replace(style, fill=moved(style.fill, matrix))
     if style.stroke is not None and isinstance(style.stroke.paint, Gradient):

@@ -1,11 +1,24 @@
 """How a shape is painted: colours, gradients and strokes, as values."""
 
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from shapetween.model.effects import Group
 
-__all__ = ["Colour", "FillRule", "Gradient", "Paint", "Stop", "Stroke", "Style", "Texture"]
+if TYPE_CHECKING:
+    from shapetween.model.drawing import Shape
+
+__all__ = [
+    "Colour",
+    "FillRule",
+    "Gradient",
+    "Paint",
+    "Pattern",
+    "Stop",
+    "Stroke",
+    "Style",
+    "Texture",
+]
 
 FillRule: TypeAlias = Literal["nonzero", "evenodd"]
 
@@ -101,12 +114,37 @@ class Texture:
 
 
 @dataclass(frozen=True, slots=True)
+class Pattern:
+    """A tile that fills an area over and over.
+
+    Attributes
+    ----------
+    tile : (float, float)
+        Width and height.
+    matrix : tuple of float
+        a, b, c, d, e, f of the map from the tile's corner and units to user units.
+    alpha : float
+    text : str
+        The tile's content as it was written; two are alike if they have the same.
+    shapes : tuple of Shape
+        That content, from the tile's own corner on.
+    """
+
+    tile: tuple[float, float]
+    matrix: tuple[float, ...]
+    alpha: float
+    text: str
+    shapes: "tuple[Shape, ...]" = field(compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Style:
     """Everything that paints one shape.
 
-    A texture fills it where pictures are made; anywhere else, and beside other paints, `fill`
-    stands for it. `groups` are those that the shape is in, the outermost first. `crisp` says that
-    edges are drawn without shades, so that none show where shapes meet.
+    A texture fills it where pictures are made, a pattern where SVG is written; anywhere else, and
+    beside other paints, `fill` stands for it. `groups` are those that the shape is in, the
+    outermost first. `crisp` says that edges are drawn without shades, so that none show where
+    shapes meet.
     """
 
     fill: Paint = field(default_factory=Colour)
@@ -114,5 +152,6 @@ class Style:
     opacity: float = 1.0
     fill_rule: FillRule = "nonzero"
     texture: Texture | None = None
+    pattern: Pattern | None = None
     groups: tuple[Group, ...] = ()
     crisp: bool = False

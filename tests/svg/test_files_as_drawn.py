@@ -16,7 +16,7 @@ FILES = Path(__file__).resolve().parents[1] / "data" / "files"
 NAMES = sorted(path.name.removesuffix("-a.svg") for path in FILES.glob("*-a.svg"))
 
 #: What cannot be drawn the same, and a word of the warning that says so.
-TOLD = {"pattern-grey": "pattern", "figma-angular": "foreign object", "animated-input": "animated"}
+TOLD = {"figma-angular": "foreign object", "animated-input": "animated"}
 
 #: Share of pixels that may differ.
 NEAR = 0.01

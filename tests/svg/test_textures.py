@@ -2,7 +2,7 @@
 
 import pytest
 
-from shapetween.model.paint import Texture
+from shapetween.model.paint import Colour, Texture
 from shapetween.svg.read.reader import read_svg
 
 SQUARE = '<path id="s" fill="url(#p)" d="M0 0H9V9H0Z"/>'
@@ -35,10 +35,12 @@ def test_nothing_outside_the_file_is_named() -> None:
         assert address not in texture.definitions
 
 
-def test_without_pictures_a_grey_stands_for_a_pattern() -> None:
-    text = f'<svg xmlns="http://www.w3.org/2000/svg">{SQUARE}<pattern id="p"/></svg>'
+def test_without_pictures_a_grey_stands_for_a_pattern_that_holds_one() -> None:
+    tile = '<pattern id="p" width="1" height="1"><image href="a.png"/></pattern>'
+    text = f'<svg xmlns="http://www.w3.org/2000/svg">{SQUARE}{tile}</svg>'
     drawing = read_svg(text.encode(), "it")
     assert drawing.shapes[0].style.texture is None
+    assert drawing.shapes[0].style.fill == Colour(0.5, 0.5, 0.5)
     assert drawing.warnings == (
         "a pattern was replaced by a plain colour; written as .webp, .png, .gif or .mp4 it is kept",
     )

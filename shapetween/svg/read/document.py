@@ -1,12 +1,12 @@
 """A parsed document with what every stage of reading it looks up."""
 
 from collections import Counter
-from collections.abc import Callable
-from typing import TypeAlias
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, TypeAlias
 from xml.etree.ElementTree import Element
 
-from shapetween.model.drawing import Box
-from shapetween.model.paint import Stop
+from shapetween.model.drawing import Box, Shape
+from shapetween.model.paint import Colour, Stop
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.pathdata import PathData
 from shapetween.svg.read.queries import Medium
@@ -14,6 +14,9 @@ from shapetween.svg.read.style import ANIMATED, Cascade, Properties
 from shapetween.svg.read.units import GREATEST, Viewport
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
+
+if TYPE_CHECKING:
+    from shapetween.svg.read.frames import Placed
 
 __all__ = ["Document", "Fonts", "Losses", "Pictures", "href", "label", "title_of"]
 
@@ -93,6 +96,12 @@ class Document:
         What is shown of the drawing, in the units of its root.
     reach : float
         How far from the origin anything is drawn, in user units.
+    painted : callable
+        Who paints placed elements, as shapes.
+    patterns : dict
+        What is in the tiles of patterns, as shapes, and its mean colour.
+    within : list of Element
+        Patterns whose tiles are being read.
     textures : int
         How many textures were made so far.
     definitions : str or None
@@ -138,6 +147,9 @@ class Document:
             identity = element.get("id")
             if identity:
                 self.ids.setdefault(identity, element)
+        self.painted: Callable[[Iterable[Placed]], list[Shape]] = lambda _: []
+        self.patterns: dict[object, tuple[tuple[Shape, ...], Colour]] = {}
+        self.within: list[Element] = []
         self.stops: dict[tuple[Element, float], tuple[Stop, ...]] = {}
         self.geometry: dict[tuple[Element, Viewport], PathData] = {}
         self.boxes: dict[tuple[Element, Viewport], Box | None] = {}

@@ -39,6 +39,7 @@ class Painter:
 
     def __init__(self, document: Document) -> None:
         self._document = document
+        document.painted = self.painted
         self._clipper = Clipper(document)
         self._masker = Masker(document, self._clipper, self.painted)
         # By the ids of layers, which live as long as the values that hold them.

@@ -8,12 +8,13 @@ import numpy as np
 
 from shapetween.geometry.affine import mean_scale, stretch
 from shapetween.geometry.bezier import curve_lengths
-from shapetween.model.paint import Colour, FillRule, Paint, Stroke, Style, Texture
+from shapetween.model.paint import Colour, FillRule, Paint, Pattern, Stroke, Style, Texture
 from shapetween.svg.read.colours import CURRENT, parse_paint
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Frame, Placed
 from shapetween.svg.read.gradients import GRADIENTS, colour_of, gradient, with_alpha
 from shapetween.svg.read.pathdata import Subpath
+from shapetween.svg.read.patterns import pattern_of
 from shapetween.svg.read.placing import KEPT
 from shapetween.svg.read.rings import bounds
 from shapetween.svg.read.style import Properties, page_key
@@ -55,6 +56,7 @@ def style_of(
         crisp=properties.get("shape-rendering", "auto") in ("crispedges", "optimizespeed"),
         fill_rule=fill_rule(properties, "fill-rule"),
         texture=_fill_texture(document, frame, subpaths),
+        pattern=_fill_pattern(document, frame, subpaths),
     )
 
 
@@ -76,6 +78,18 @@ def _fill_texture(document: Document, frame: Frame, subpaths: Sequence[Subpath])
     if server is None or local_name(server) != "pattern":
         return None
     return pattern_texture(document, value.reference, bounds(subpaths), frame, alpha)
+
+
+def _fill_pattern(document: Document, frame: Frame, subpaths: Sequence[Subpath]) -> Pattern | None:
+    """The pattern that fills a shape, where none is kept as a texture."""
+    value = parse_paint(_in_context(frame, frame.properties.get("fill", "black")))
+    alpha = _alpha(frame, "fill")
+    if document.pictures is not None or value is None or not value.reference or alpha == 0:
+        return None
+    server = document.ids.get(value.reference)
+    if server is None or local_name(server) != "pattern":
+        return None
+    return pattern_of(document, server, bounds(subpaths), frame, alpha)[0]
 
 
 def fill_rule(properties: Properties, name: str) -> FillRule:
@@ -100,11 +114,20 @@ def _paint(
             )
             return None if isinstance(paint, Colour) and paint.alpha == 0 else paint
         if kind == "pattern":
-            if document.pictures is None:
-                document.losses.add(f"a pattern was replaced by a plain colour; {KEPT}")
-            elif name == "stroke":
-                document.losses.add("a pattern on a stroke was replaced by a plain colour")
-            return with_alpha(STAND_IN, alpha)
+            assert server is not None  # it has a name
+            if document.pictures is not None and name == "fill":
+                return with_alpha(STAND_IN, alpha)
+            kept, mean = pattern_of(document, server, bounds(subpaths), frame, alpha)
+            if mean.alpha == 0:
+                return None
+            if name == "stroke":
+                document.losses.add("a pattern on a stroke was replaced by its mean colour")
+            else:
+                what = "is its mean colour on the way to another paint, and anywhere but in .svg"
+                if kept is None:
+                    what = "was replaced by a plain colour"
+                document.losses.add(f"a pattern {what}; {KEPT}")
+            return mean
         if value.colour is None:
             document.losses.add(f"a {name} names no gradient in this file and was left out")
     current = value.colour == CURRENT

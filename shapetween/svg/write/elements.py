@@ -11,7 +11,7 @@ import numpy as np
 from shapetween.base.arrays import Curves
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.gradients import IDENTITY, in_normal_form
-from shapetween.model.paint import Colour, Gradient, Paint, Style
+from shapetween.model.paint import Colour, Gradient, Paint, Pattern, Style
 from shapetween.svg.write.numbers import decimals_for, number, path_data
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "POINT_NAMES",
     "ROUND",
     "GradientDefs",
+    "add_pattern",
     "add_shape",
     "alpha_text",
     "as_circle",
@@ -249,6 +250,8 @@ def add_shape(
 ) -> ET.Element:
     """Write a shape at rest as one path, with `attributes` before its own."""
     paints = paint_attributes("fill", shape.style.fill, gradients)
+    if shape.style.pattern is not None:
+        paints = {"fill": add_pattern(shape.style.pattern, gradients)[1]}
     if shape.style.stroke is not None:
         paints |= paint_attributes("stroke", shape.style.stroke.paint, gradients)
     return ET.SubElement(
@@ -261,6 +264,22 @@ def add_shape(
             "d": shape_path(shape, gradients.decimals),
         },
     )
+
+
+def add_pattern(pattern: Pattern, defs: GradientDefs) -> tuple[ET.Element, str]:
+    """Write a pattern; its element, and what ``fill`` says to use it."""
+    sides = dict(zip(("width", "height"), pattern.tile, strict=True))
+    digits = defs.decimals + ALPHA_DECIMALS
+    matrix = " ".join(number(value, digits) for value in pattern.matrix)
+    attributes = {"patternUnits": "userSpaceOnUse", "patternTransform": f"matrix({matrix})"}
+    attributes |= {name: number(value, digits) for name, value in sides.items()}
+    element, url = defs.reserve("pattern", attributes)
+    inner = ET.SubElement(element, "g", _unless_one("opacity", pattern.alpha))
+    # A tile may be drawn in units much larger than the drawing's.
+    finer = replace(defs, decimals=digits)
+    for shape in pattern.shapes:
+        add_shape(inner, shape, finer, {})
+    return element, url
 
 
 def shape_path(shape: Shape, decimals: int) -> str:

@@ -17,6 +17,7 @@ from shapetween.model.movement import Movement, Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate import animate_shown
 from shapetween.svg.write.animate_groups import add_parts
+from shapetween.svg.write.animate_pattern import add_ends, fills_of, keep_pattern
 from shapetween.svg.write.animate_style import animate_style
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import LATER, GradientDefs, document, named, text_of
@@ -184,11 +185,14 @@ def add_part(
     """
     motion = shape_motion(part, clock, gradients.decimals, tolerance)
     slower = _slower(clock)
-    styles = [part.style(t) for t in np.clip(slower.schedule.time, *INSIDE).tolist()]
+    times = np.clip(slower.schedule.time, *INSIDE)
+    styles = [part.style(t) for t in times.tolist()]
+    add_ends(parent, part, styles, times, slower, gradients, motion)
     paths = []
-    for track in style_tracks(styles):
+    for track in style_tracks(fills_of(part, styles, times)):
         path = ET.SubElement(parent, "path", name if track.start == 0 else {})
         animate_style(path, track, slower, gradients, tolerance)
+        keep_pattern(path, track.styles, slower, gradients, tolerance)
         path.set("d", motion.rest)
         for attributes in motion.animations:
             ET.SubElement(path, "animate", attributes)

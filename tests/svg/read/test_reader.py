@@ -385,7 +385,11 @@ def test_names_and_title() -> None:
             '<rect width="5" height="5" mask="url(#m)"/>',
             "mask",
         ),
-        ('<pattern id="p"/>' + square("url(#p)"), "pattern"),
+        (
+            '<pattern id="p" width="1" height="1"><path d="M0 0h3v9"/></pattern>'
+            + square("url(#p)"),
+            "pattern",
+        ),
         ('<use href="#none"/>', "use"),
         ('<g id="g"><use href="#g"/></g>', "use"),
         ('<path d="M0 0h5v5 oops"/>', "character 10"),
