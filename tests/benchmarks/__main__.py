@@ -58,26 +58,25 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=12, help="pairs of each category")
     parser.add_argument("--only", default="", help="categories, with commas; no other figures")
     options = parser.parse_args()
+    only = tuple(filter(None, options.only.split(",")))
     print(f"Processor time on {machine()}.\n")
-    if not options.only:
+    if not only:
         whole_commands()  # while this process is small: what it starts is counted no smaller
     with one_thread():
-        by_category(categories(options.pairs, options.most), options.only)
-        if not options.only:
+        by_category(categories(options.pairs, options.most, only))
+        if not only:
             growth = sizes() | grown()
             if options.plot is not None:
                 options.plot.write_text(plotted(growth), "utf-8")
 
 
-def by_category(found: dict[str, list[tuple[Drawing, Drawing]]], only: str) -> None:
+def by_category(found: dict[str, list[tuple[Drawing, Drawing]]]) -> None:
     """Medians of each category, beside rivals where they are there."""
     stages = " | ".join(f"{name}, ms" for name in STAGES.values())
     print(f"| category | pairs | preparation, ms | {stages} | write, ms | peak, MB ", end="")
     print("| a frame, ms | set-up, flubber's | GSAP's | a frame, flubber's | GSAP's |")
     print("|---|" + "---:|" * (len(STAGES) + 9))
     for name, pairs in found.items():
-        if only and name not in only.split(","):
-            continue
         speeds(*pairs[0], rounds=1)  # the first one imports
         ours = [speeds(*pair) for pair in pairs]
         row = [f"{len(pairs)}", _ms(each.whole for each in ours)]

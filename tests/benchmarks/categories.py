@@ -17,7 +17,9 @@ POINTS, PARTS = (1_000, 3_000, 10_000, 30_000), (30, 100, 300)
 _HEAD = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 800 800">'
 
 
-def categories(folder: Path | None, most: int) -> dict[str, list[tuple[Drawing, Drawing]]]:
+def categories(
+    folder: Path | None, most: int, only: tuple[str, ...] = ()
+) -> dict[str, list[tuple[Drawing, Drawing]]]:
     """Pairs of drawings by the name of their category.
 
     Parameters
@@ -27,6 +29,8 @@ def categories(folder: Path | None, most: int) -> dict[str, list[tuple[Drawing, 
         for the repository's own drawings and made ones.
     most : int
         Most pairs of a category, taken evenly from all.
+    only : tuple of str
+        The categories that are wanted; all without any.
     """
     found: dict[str, list[tuple[Drawing, Drawing]]] = {}
     if folder is None:
@@ -39,9 +43,11 @@ def categories(folder: Path | None, most: int) -> dict[str, list[tuple[Drawing, 
             (made_of_points(10_000), made_of_points(12)),
             (made_of_parts(100, 1), made_of_parts(100, 2)),
         ]
-        return found
+        return {name: pairs for name, pairs in found.items() if not only or name in only}
     rows = json.loads((folder / "pairs.json").read_text("utf-8"))
     for name in dict.fromkeys(row["category"] for row in rows):
+        if only and name not in only:
+            continue
         own = [(folder / r["a"], folder / r["b"]) for r in rows if r["category"] == name]
         found[name] = [(_read(a), _read(b)) for a, b in _evenly(own, most)]
     return found
