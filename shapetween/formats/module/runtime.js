@@ -127,32 +127,55 @@ const fresh = () => {
   return document.getElementById(id) ? fresh() : id;
 };
 
+// An element with what it uses, which is defined before it; and what sets both to a time.
+const assemble = (parent, [node, ...used]) => {
+  const moves = [], names = used.map(fresh);
+  const build = (parent, [name, fixed, moving, inner = []]) => {
+    const made = add(parent, name);
+    const set = (key, value) => {
+      if (/^url/.test(value)) value = "url(#" + names[value.slice(5, -1)] + ")";
+      made.getAttribute(key) == value || made.setAttribute(key, value);
+    };
+    for (const key in fixed) set(key, fixed[key]);
+    for (const key in moving) moves.push(t => set(key, valueAt(moving[key], t)));
+    inner.map(child => build(made, child));
+    return made;
+  };
+  used.map((each, k) => build(parent, each).id = names[k]);
+  return [build(parent, node), t => moves.map(move => move(t))];
+};
+
 // One path for each kind of paint that a part has in its time, with the gradients it uses.
 const draw = (group, part) => {
   const draws = part.slice(2).map(track => {
-    const moves = [];
-    const build = (parent, [name, fixed, moving, inner = []]) => {
-      const made = add(parent, name);
-      const set = (key, value) => {
-        if (/^url/.test(value)) value = "url(#" + names[value.slice(5, -1)] + ")";
-        made.getAttribute(key) == value || made.setAttribute(key, value);
-      };
-      for (const key in fixed) set(key, fixed[key]);
-      for (const key in moving) moves.push(t => set(key, valueAt(moving[key], t)));
-      inner.map(child => build(made, child));
-      return made;
-    };
-    const names = track.slice(2).map(node => build(group, node).id = fresh());
-    const made = build(group, track[1]);
+    const [made, move] = assemble(group, track.slice(1));
     return t => {
       const own = trackAt(part, t) == track;
       made.style.display = own ? "" : "none";
       if (!own) return;
-      moves.map(move => move(t));
+      move(t);
       made.hasAttribute("d") && !part.loaded.way || made.setAttribute("d", path(part, t));
     };
   });
   return t => draws.map(draw => draw(t));
+};
+
+//: groups
+// What each part of a leg goes into, opened as they are painted; and what sets it to a time.
+const nest = (root, leg) => {
+  const [groups, members] = nests[leg], moves = [], inside = [];
+  const open = k => {
+    if (k < 0) return root;
+    if (!inside[k]) {
+      const [around, ...nodes] = groups[k];
+      let [made, move] = assemble(open(around), nodes);
+      moves.push(move);
+      while (made.lastElementChild) made = made.lastElementChild;
+      inside[k] = made;
+    }
+    return inside[k];
+  };
+  return [k => open(members[k] ?? -1), t => moves.map(move => move(t))];
 };
 
 //: always
@@ -161,10 +184,17 @@ export function mount(target) {
   let root = element(target);
   if (root.namespaceURI.endsWith("xhtml")) root = add(root, "svg");
   if (root.localName == "svg" && !root.hasAttribute("viewBox")) root.setAttribute("viewBox", viewBox);
+//: no groups
   const groups = legs.map(parts => {
     const group = add(root, "g");
     return [group, parts.map(part => draw(group, part))];
   });
+//: groups
+  const groups = legs.map((parts, leg) => {
+    const group = add(root, "g"), [into, move] = nest(group, leg);
+    return [group, [...parts.map((part, k) => draw(into(k), part)), move]];
+  });
+//: always
   return t => {
     const [leg, own] = find(t);
     groups.map(([group, draws], k) => {

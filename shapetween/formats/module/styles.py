@@ -16,9 +16,10 @@ from shapetween.model.paint import Style
 from shapetween.model.tracks import StyleTrack
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 from shapetween.svg.write.elements import GradientDefs, paint_attributes, style_attributes
+from shapetween.svg.write.plain_elements import Element, element_of, numbered
 from shapetween.timing.keyframes import keyframes
 
-__all__ = ["track_nodes"]
+__all__ = ["Node", "moving_node", "track_nodes"]
 
 Node: TypeAlias = list[Any]
 
@@ -72,36 +73,23 @@ def track_nodes(track: StyleTrack, times: Floats, decimals: int, tolerance: floa
     styles = track.styles[:1] if still else track.styles
     samples = [_elements(style, decimals) for style in styles]
     return [
-        _node([sample[k] for sample in samples], times, tolerance) for k in range(len(samples[0]))
+        moving_node([sample[k] for sample in samples], times, tolerance)
+        for k in range(len(samples[0]))
     ]
 
 
-#: An element's name, its attributes, and the elements in it.
-_Element: TypeAlias = tuple[str, Attributes, list[Any]]
-
-
-def _elements(style: Style, decimals: int) -> list[_Element]:
+def _elements(style: Style, decimals: int) -> list[Element]:
     """The path of a style, and the gradients it uses."""
     defs = GradientDefs(decimals)
     attributes = paint_attributes("fill", style.fill, defs)
     if style.stroke is not None:
         attributes |= paint_attributes("stroke", style.stroke.paint, defs)
     attributes |= style_attributes(style, decimals)
-    for name, value in attributes.items():
-        if value.startswith("url("):
-            attributes[name] = f"url(#{value.removesuffix(')').rsplit('-')[-1]})"
-    gradients: list[_Element] = [
-        (
-            element.tag,
-            {name: value for name, value in element.attrib.items() if name != "id"},
-            [("stop", dict(stop.attrib), []) for stop in element],
-        )
-        for element in defs.element
-    ]
-    return [("path", attributes, []), *gradients]
+    attributes = {name: numbered(value) for name, value in attributes.items()}
+    return [("path", attributes, []), *(element_of(each) for each in defs.element)]
 
 
-def _node(samples: Sequence[_Element], times: Floats, tolerance: float) -> Node:
+def moving_node(samples: Sequence[Element], times: Floats, tolerance: float) -> Node:
     """One element through time."""
     names = list(dict.fromkeys(name for _, attributes, _ in samples for name in attributes))
     fixed: Attributes = {}
@@ -114,7 +102,7 @@ def _node(samples: Sequence[_Element], times: Floats, tolerance: float) -> Node:
         else:
             moving[name] = _move(name, texts, times, tolerance)
     inner = [
-        _node([children[k] for _, _, children in samples], times, tolerance)
+        moving_node([children[k] for _, _, children in samples], times, tolerance)
         for k in range(len(samples[0][2]))
     ]
     node: Node = [samples[0][0], fixed, moving, inner]

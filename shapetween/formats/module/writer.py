@@ -5,6 +5,7 @@ Nothing is imported and nothing needs to be built: a browser or node takes the f
 
 import json
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,9 +16,9 @@ from shapetween.formats.grid import Grid, grid_of
 from shapetween.formats.module.basis import fit_basis
 from shapetween.formats.module.code import runtime, types
 from shapetween.formats.module.encoding import vlq
+from shapetween.formats.module.groups import nest
 from shapetween.formats.module.styles import track_nodes
 from shapetween.formats.options import WriteOptions
-from shapetween.formats.plain import group_losses, plain_styles
 from shapetween.formats.sampled import Sampled, enough_times, sampled
 from shapetween.formats.table import Segments, Written
 from shapetween.model.movement import Part
@@ -50,8 +51,7 @@ HEAD = (
 def module(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """All of it as a JavaScript module, with its types beside it."""
     del observe
-    losses = tuple(dict.fromkeys(group_losses(segments.movements, ".mjs")))
-    return Written(module_text(segments, options), losses, {".d.mts": types()})
+    return Written(module_text(segments, options), beside={".d.mts": types()})
 
 
 def module_text(segments: Segments, options: WriteOptions) -> str:
@@ -64,7 +64,10 @@ def module_text(segments: Segments, options: WriteOptions) -> str:
     decimals = max(0, math.ceil(-math.log10(grid.step) - 1e-9))
     places = decimals + 3
     legs = [[_part(part, grid, decimals) for part in movement.parts] for movement in movements]
-    still = all(_stands(part) for leg in legs for part in leg)
+    size = TOLERANCE * max(box.width, box.height)
+    nests = [nest(movement, PAINT_TIMES, decimals, size) for movement in movements]
+    grouped = any(groups for groups, _ in nests)
+    still = not grouped and all(_stands(part) for leg in legs for part in leg)
     if still:
         legs = [[[*part[:2], *part[2][1][1:]] for part in leg] for leg in legs]
     most = max(movements, key=lambda movement: len(movement.parts))
@@ -83,9 +86,11 @@ def module_text(segments: Segments, options: WriteOptions) -> str:
         "const origin": [_short(box.x), _short(box.y)],
         "const decimals": decimals,
         "const legs": legs,
+        **({"const nests": nests} if grouped else {}),
     }
     lines = [f"{name}={_json(value)};" for name, value in constants.items()]
     blocks = {"always", "still paint" if still else "moving paint", f"start {options.start}"}
+    blocks.add("groups" if grouped else "no groups")
     return HEAD + "\n".join(lines) + "\n" + runtime(blocks)
 
 
@@ -101,7 +106,8 @@ def _part(part: Part, grid: Grid, decimals: int) -> list[Any]:
     inside = np.concatenate([[0.0], np.clip(times, INSIDE, 1 - INSIDE), [1.0]])
     shape = sampled(part, inside, size)
     text, scales = _curves(shape, times, grid, TOLERANCE * size / grid.step)
-    styles = plain_styles(part, np.clip(PAINT_TIMES, INSIDE, 1 - INSIDE).tolist())
+    inner = np.clip(PAINT_TIMES, INSIDE, 1 - INSIDE).tolist()
+    styles = [replace(part.style(t), groups=()) for t in inner]
     tracks = [
         [
             _short(PAINT_TIMES[track.start]),

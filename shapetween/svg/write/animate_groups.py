@@ -2,7 +2,7 @@
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -28,7 +28,7 @@ from shapetween.svg.write.groups import (
     soft_mask,
 )
 
-__all__ = ["add_parts"]
+__all__ = ["Member", "add_parts", "group_tracks", "members_of", "paths_of"]
 
 AddPart = Callable[[ET.Element, Part, dict[str, str]], None]
 
@@ -37,7 +37,7 @@ SHARE_TOLERANCE = 1.5 / 255
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Member:
+class Member:
     """A part, the groups it is in at every sample, and at which ends it is not seen."""
 
     part: Part
@@ -77,14 +77,9 @@ def add_parts(
     add_part : callable
         Writes a part by itself.
     """
-    members = []
-    for part, name, first, last in zip(parts, names, *ends, strict=True):
-        groups: tuple[tuple[Group, ...], ...] = ()
-        if part.style(float(times[len(times) // 2])).groups:
-            groups = tuple(part.style(t).groups for t in times.tolist())
-        members.append(_Member(part, name, groups, (is_hidden(first), is_hidden(last))))
-    paths = _paths(members)
-    tracks = _tracks(members)
+    members = members_of(parts, ends, times, names)
+    paths = paths_of(members)
+    tracks = group_tracks(members)
 
     def open_group(inside: ET.Element, group: Group) -> ET.Element:
         track = tracks[group.key]
@@ -95,22 +90,41 @@ def add_parts(
         add_part(nest.at(path), member.part, member.name)
 
 
-def _tracks(members: Sequence[_Member]) -> dict[object, tuple[Group, ...]]:
-    """Each group through time: of what its members say the least is done."""
-    tracks: dict[object, tuple[Group, ...]] = {}
+def members_of(
+    parts: Sequence[Part],
+    ends: tuple[Sequence[Shape], Sequence[Shape]],
+    times: Floats,
+    names: Sequence[dict[str, str]] | None = None,
+) -> list[Member]:
+    """The groups of all parts at times kept inside the movement."""
+    members = []
+    for k, (part, first, last) in enumerate(zip(parts, *ends, strict=True)):
+        groups: tuple[tuple[Group, ...], ...] = ()
+        if part.style(float(times[len(times) // 2])).groups:
+            groups = tuple(part.style(t).groups for t in times.tolist())
+        name = {} if names is None else names[k]
+        members.append(Member(part, name, groups, (is_hidden(first), is_hidden(last))))
+    return members
+
+
+def group_tracks(members: Sequence[Member]) -> dict[object, tuple[Group, ...]]:
+    """Each group through time: as its first member has it, or who says that less is done."""
+    tracks: dict[object, list[Group]] = {}
     for member in members:
-        for k, sample in enumerate(member.groups):
+        own: dict[object, list[Group]] = {}
+        for sample in member.groups:
             for group in sample:
-                track = tracks.setdefault(
-                    group.key, (replace(group, share=1.0),) * len(member.groups)
-                )
-                if k == 0 or track[k].share > group.share or track[k].share == 1.0:
-                    least = min(track[k].share, group.share)
-                    tracks[group.key] = (*track[:k], replace(group, share=least), *track[k + 1 :])
-    return tracks
+                own.setdefault(group.key, []).append(group)
+        for key, groups in own.items():
+            track = tracks.setdefault(key, groups)
+            track[:] = [
+                other if other.share < group.share else group
+                for group, other in zip(track, groups, strict=True)
+            ]
+    return {key: tuple(track) for key, track in tracks.items()}
 
 
-def _paths(members: Sequence[_Member]) -> list[tuple[Group, ...]]:
+def paths_of(members: Sequence[Member]) -> list[tuple[Group, ...]]:
     """The groups of each part, where a part that is not seen joins those around it.
 
     What shows at one end only, between others that are one group at the other, must not part them.
@@ -134,7 +148,7 @@ def _paths(members: Sequence[_Member]) -> list[tuple[Group, ...]]:
     return [tuple(path) for path in paths]
 
 
-def _ends(member: _Member) -> tuple[tuple[Group, ...], tuple[Group, ...]]:
+def _ends(member: Member) -> tuple[tuple[Group, ...], tuple[Group, ...]]:
     return member.groups[0], member.groups[-1]
 
 

@@ -6,6 +6,7 @@ is made of, and a mask with one that shows all.
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -26,6 +27,7 @@ __all__ = [
     "filter_steps",
     "in_filter",
     "is_hidden",
+    "open_group",
     "open_masks",
     "primitive_attributes",
     "soft_mask",
@@ -39,23 +41,24 @@ BLENDS = 0.5
 NO_SIZE = 1e-9
 
 
-class Nest:
+Place = TypeVar("Place")
+
+
+class Nest(Generic[Place]):
     """Where shapes go that are in groups, as they are written one after another.
 
     Parameters
     ----------
-    root : Element
+    root : Element, or what stands for it
     open_group : callable
         Writes a group into an element, and tells into what its shapes go.
     """
 
-    def __init__(
-        self, root: ET.Element, open_group: Callable[[ET.Element, Group], ET.Element]
-    ) -> None:
-        self._stack: list[tuple[object, ET.Element]] = [(None, root)]
+    def __init__(self, root: Place, open_group: Callable[[Place, Group], Place]) -> None:
+        self._stack: list[tuple[object, Place]] = [(None, root)]
         self._open_group = open_group
 
-    def at(self, groups: Sequence[Group]) -> ET.Element:
+    def at(self, groups: Sequence[Group]) -> Place:
         """The element for the next shape, which is in these groups."""
         depth = 1
         for group in groups:
@@ -86,7 +89,7 @@ def add_shapes(
     attributes : sequence of Mapping, optional
         Of each shape, before its own.
     """
-    nest = Nest(root, lambda parent, group: _open(parent, group, defs))
+    nest = Nest(root, lambda parent, group: open_group(parent, group, defs))
     groups: tuple[Group, ...] = ()
     for k, shape in enumerate(shapes):
         # What is not seen may lie between shapes of one group, and must not part them.
@@ -108,7 +111,15 @@ def is_hidden(shape: Shape) -> bool:
     return all(np.ptp(r.curves.reshape(-1, 2), axis=0).max() <= NO_SIZE for r in shape.rings)
 
 
-def _open(parent: ET.Element, group: Group, defs: GradientDefs) -> ET.Element:
+def open_group(
+    parent: ET.Element, group: Group, defs: GradientDefs, *, fades: bool | None = None
+) -> ET.Element:
+    """Write a group at rest into an element; what its shapes go into.
+
+    One that `fades` is written so that it may do any share of what it does; without a word, if it
+    does a share now.
+    """
+    fades = group.share < 1 if fades is None else fades
     attributes: dict[str, str] = {}
     opacity = alpha_text(faded_opacity(group))
     if opacity != "1":
@@ -118,13 +129,13 @@ def _open(parent: ET.Element, group: Group, defs: GradientDefs) -> ET.Element:
         attributes["style"] = style
 
     def add_mask(mask: Mask) -> tuple[str, str]:
-        return _mask(mask, group.share, defs)
+        return _mask(mask, group.share, defs, fades=fades)
 
     element = open_masks(parent, group, attributes, add_mask)
     if group.filter is None:
         return element
     steps, name = filter_steps(group.filter, defs)
-    if group.share < 1:
+    if fades:
         mix = {"k2": alpha_text(group.share), "k3": alpha_text(1 - group.share)}
         add_mixing(steps, mix)
     return in_filter(element, group.filter, name, defs)
@@ -161,14 +172,14 @@ def open_masks(
     return elements[-1]
 
 
-def _mask(mask: Mask, share: float, defs: GradientDefs) -> tuple[str, str]:
+def _mask(mask: Mask, share: float, defs: GradientDefs, *, fades: bool) -> tuple[str, str]:
     """Write a mask; the attribute that uses it, and its value."""
-    if mask.plain and share == 1:
+    if mask.plain and not fades:
         element, url = defs.reserve("clipPath", {})
         add_shapes(element, mask.shapes, defs, [{"clip-rule": "evenodd"}] * len(mask.shapes))
         return "clip-path", url
-    element, inner, url = soft_mask(defs, fades=share < 1)
-    if share < 1:
+    element, inner, url = soft_mask(defs, fades=fades)
+    if fades:
         inner.set("opacity", alpha_text(share))
     add_shapes(inner, mask.shapes, defs)
     return "mask", url
