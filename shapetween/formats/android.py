@@ -19,7 +19,7 @@ from shapetween.formats.grid import Grid, grid_of
 from shapetween.formats.keyed import keyed
 from shapetween.formats.names import identifiers
 from shapetween.formats.options import WriteOptions
-from shapetween.formats.plain import group_losses, plain_styles
+from shapetween.formats.plain import colour_losses, group_losses, plain_styles
 from shapetween.formats.table import Segments, Written
 from shapetween.model.gradients import in_normal_form
 from shapetween.model.movement import Part
@@ -87,7 +87,7 @@ def vector_drawable(
     )
     easing = easing_function(options.easing)
     layers: list[_Layer] = []
-    warnings = group_losses(movements, ".xml")
+    warnings = [*colour_losses(movements, ".xml"), *group_losses(movements, ".xml")]
     step = 1000 * (options.duration + options.hold)
     for leg, movement in enumerate(movements):
         start = 1000 * options.hold + leg * step

@@ -18,7 +18,7 @@ from shapetween.formats.grid import CELLS
 from shapetween.formats.keyed import Keyed, keyed
 from shapetween.formats.names import identifier
 from shapetween.formats.options import WriteOptions
-from shapetween.formats.plain import group_losses, plain_styles
+from shapetween.formats.plain import colour_losses, group_losses, plain_styles
 from shapetween.formats.table import Segments, Written
 from shapetween.formats.united import UnitedPart
 from shapetween.model.drawing import Box
@@ -68,6 +68,8 @@ def css(segments: Segments, options: WriteOptions, observe: Observer = unobserve
         track = style_tracks(styles)[0].styles
         evenodd = any(style.fill_rule == "evenodd" for style in styles)
         warnings += _losses(styles)
+        if not _reference(track):
+            warnings += colour_losses(segments.movements, ".css")
 
         def place(clock: float, start: float = start, end: float = end) -> float:
             return round(start + clock * (end - start), PERCENT_DECIMALS)
@@ -241,6 +243,7 @@ def _losses(styles: Sequence[Style]) -> list[str]:
 def _paint(styles: Sequence[Style], attribute: str) -> list[tuple[str, float]]:
     """Declarations of colour and opacity, with their times on the leg's clock; none if black."""
     rows = np.array([[*_colour(style.fill), style.opacity] for style in styles])
+    reference = _reference(styles)
     clock = np.linspace(0.0, 1.0, len(rows))
     picks = keyframes(rows[:, :, None], clock, COLOUR_TOLERANCE)
     if (rows == rows[0]).all():
@@ -250,11 +253,20 @@ def _paint(styles: Sequence[Style], attribute: str) -> list[tuple[str, float]]:
     for pick in picks.tolist():
         red, green, blue, alpha, opacity = rows[pick].tolist()
         channels = " ".join(str(round(255 * part)) for part in (red, green, blue))
-        shade = f"rgb({channels})" if alpha == 1 else f"rgb({channels}/{alpha_text(alpha)})"
+        clear = "" if alpha == 1 else f"/{alpha_text(alpha)}"
+        shade = reference or f"rgb({channels}{clear})"
         declared.append((f"{attribute}:{shade}", clock[pick]))
         if fades:
             declared.append((f"opacity:{alpha_text(opacity)}", clock[pick]))
     return declared
+
+
+def _reference(styles: Sequence[Style]) -> str:
+    """What asks the page for the colour, if that is the same all the time and opaque."""
+    fills = {style.fill for style in styles}
+    (fill, *others) = fills
+    plain = isinstance(fill, Colour) and not others and fill.alpha == 1
+    return fill.reference if plain and isinstance(fill, Colour) else ""
 
 
 def _colour(paint: Paint) -> tuple[float, float, float, float]:

@@ -1,13 +1,13 @@
 """Styles for formats that have no groups: each shape is painted by itself."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import prod
 
 from shapetween.model.movement import Movement, Part
-from shapetween.model.paint import Style
+from shapetween.model.paint import Colour, Gradient, Style
 
-__all__ = ["group_losses", "plain_style", "plain_styles"]
+__all__ = ["colour_losses", "group_losses", "plain_style", "plain_styles"]
 
 #: Times at which groups are looked at: a movement's ends from inside, and half-way.
 LOOKED = (1e-6, 0.5, 1 - 1e-6)
@@ -45,3 +45,20 @@ def group_losses(movements: Sequence[Movement], form: str) -> list[str]:
         if any(count > 1 for count in members.values()):
             losses.append(f"shapes of one group fade each by itself in {form}")
     return losses
+
+
+def colour_losses(movements: Sequence[Movement], form: str) -> list[str]:
+    """Whether a colour that is the page's to choose becomes one of the file's own, in one line."""
+    styles = [part.style(t) for m in movements for part in m.parts for t in LOOKED]
+    asked = (reference for style in styles for reference in _references(style))
+    words = next(asked, "")
+    return [f"the page's own colour, {words}, is fixed in {form}"] if words else []
+
+
+def _references(style: Style) -> Iterator[str]:
+    paints = (style.fill, style.stroke.paint if style.stroke is not None else None)
+    for paint in paints:
+        stops = paint.stops if isinstance(paint, Gradient) else ()
+        for colour in (paint, *(stop.colour for stop in stops)):
+            if isinstance(colour, Colour) and colour.reference:
+                yield colour.reference

@@ -15,11 +15,12 @@ from typing import Protocol, TypeAlias
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
-from shapetween.formats.options import WriteOptions
+from shapetween.formats.options import WriteOptions, write_names
 from shapetween.formats.segments import Segments
 from shapetween.io import files
 
 __all__ = [
+    "FEATURES",
     "FRAMES",
     "WRITERS",
     "Content",
@@ -27,6 +28,7 @@ __all__ = [
     "Writer",
     "WriterFunction",
     "Written",
+    "formats_table",
     "put",
     "writer_of",
 ]
@@ -79,6 +81,9 @@ class Writer:
         Names of the options that it has a use for.
     pictures : bool
         Whether it keeps patterns and pictures in shapes.
+    keeps : tuple of str
+        Those of `FEATURES` that it shows as the frames do; of the others a warning tells, or they
+        are refused.
     """
 
     ending: str
@@ -86,6 +91,7 @@ class Writer:
     home: str
     takes: tuple[str, ...]
     pictures: bool = False
+    keeps: tuple[str, ...] = ()
 
     def check(self, options: WriteOptions) -> None:
         """Check that every option asked for has an effect.
@@ -122,6 +128,25 @@ class Writer:
             return function(segments, options, observe)
 
 
+FEATURES = (
+    "several parts",
+    "lines",
+    "dashes",
+    "gradients that change",
+    "opacity of a group",
+    "masks",
+    "filters",
+    "blending",
+    "the page's own colour",
+    "patterns and pictures",
+)
+"""What a drawing may have that not every format holds."""
+
+_OWN = FEATURES[:4]  # what any format has that knows paths and paint
+_GROUPS = FEATURES[4:8]
+_PAGE = (*_OWN, *_GROUPS, FEATURES[8])
+_FLAT = (*_OWN, *_GROUPS, FEATURES[9])
+
 _PACE = ("duration", "easing", "stagger", "stagger_by", "hold")
 _TIMING = (*_PACE, "loop")
 _FILM = (*_TIMING, "fps", "size", "background")
@@ -131,23 +156,24 @@ def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
     options = (*_TIMING, "easing_over", "keyframes", "precision", "start")
-    yield Writer(".svg", "an animated SVG", svg, options)
+    yield Writer(".svg", "an animated SVG", svg, options, keeps=_PAGE)
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"
-        yield Writer(ending, f"moving pictures ({ending})", home, _FILM, pictures=True)
+        yield Writer(ending, f"moving pictures ({ending})", home, _FILM, True, _FLAT)
     keyed = (*_TIMING, "keyframes", "precision")
     lottie = "shapetween.formats.lottie.writer"
-    yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed)
-    yield Writer(".lottie", "a packed Lottie animation", f"{lottie}:dot_lottie", keyed)
+    yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed, keeps=_OWN)
+    yield Writer(".lottie", "a packed Lottie animation", f"{lottie}:dot_lottie", keyed, keeps=_OWN)
     home = "shapetween.formats.css:css"
-    yield Writer(".css", "a style sheet", home, (*keyed, "size", "css"))
+    yield Writer(".css", "a style sheet", home, (*keyed, "size", "css"), keeps=FEATURES[8:9])
     home = "shapetween.formats.android:vector_drawable"
     once = (*_PACE, "keyframes", "precision")
-    yield Writer(".xml", "an Android vector drawable", home, once)
+    yield Writer(".xml", "an Android vector drawable", home, once, keeps=_OWN[:2])
     home = "shapetween.formats.module.writer:module"
-    yield Writer(".mjs", "a JavaScript module", home, (*_TIMING, "precision", "start"))
+    moved = (*_TIMING, "precision", "start")
+    yield Writer(".mjs", "a JavaScript module", home, moved, keeps=_PAGE)
     home = "shapetween.formats.player.writer:html"
-    yield Writer(".html", "a page", home, (*_TIMING, "precision", "start", "background"))
+    yield Writer(".html", "a page", home, (*moved, "background"), keeps=_PAGE)
 
 
 WRITERS: Mapping[str, Writer] = MappingProxyType({writer.ending: writer for writer in _writers()})
@@ -171,6 +197,21 @@ FRAMES: Mapping[str, Writer] = MappingProxyType(
     }
 )
 """What writes a folder of frames of that ending."""
+
+
+def formats_table() -> str:
+    """What each format keeps of a drawing, and which options it takes, in Markdown."""
+    writers = list(WRITERS.values())
+    options = [name for name in write_names() if any(name in w.takes for w in writers)]
+    head = " | ".join(f"`{writer.ending}`" for writer in writers)
+    lines = [f"| | {head} |", f"|---|{':-:|' * len(writers)}"]
+    for feature in FEATURES:
+        marks = " | ".join("yes" if feature in writer.keeps else "" for writer in writers)
+        lines.append(f"| {feature} | {marks} |")
+    for name in options:
+        marks = " | ".join("yes" if name in writer.takes else "" for writer in writers)
+        lines.append(f"| `--{name.replace('_', '-')}` | {marks} |")
+    return "\n".join(lines) + "\n"
 
 
 def writer_of(path: Path) -> Writer:

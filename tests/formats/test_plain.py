@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from shapetween.formats.plain import group_losses, plain_style
+from shapetween.formats.plain import colour_losses, group_losses, plain_style
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.movement import Movement
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Style
+from shapetween.model.paint import Colour, Gradient, Stop, Style
 from tests.movements import FormulaPart, circle, spin
 
 RING = circle(np.array([50.0, 50.0]), 30.0)
@@ -39,3 +39,12 @@ def test_what_a_group_does_is_told_of_once() -> None:
     told = ["shapes of one group fade each by itself in .css"]
     assert group_losses([movement(fading, fading)], ".css") == told
     assert group_losses([movement(fading, replace(fading, groups=()))], ".css") == []
+
+
+def test_the_pages_own_colour_is_told_of_once() -> None:
+    own = Colour(reference="currentColor")
+    shade = Gradient("linear", (0, 0, 1, 0), (1, 0, 0, 1, 0, 0), (Stop(0, own), Stop(1, Colour())))
+    told = ["the page's own colour, currentColor, is fixed in Lottie"]
+    assert colour_losses([movement(Style(own), Style(own))], "Lottie") == told
+    assert colour_losses([movement(Style(Colour()), Style(shade))], "Lottie") == told
+    assert colour_losses([movement(Style(Colour()))], "Lottie") == []

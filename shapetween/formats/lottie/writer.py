@@ -17,7 +17,7 @@ from shapetween.formats.grid import grid_of
 from shapetween.formats.lottie.layers import SIDE, leg_layers, transform
 from shapetween.formats.lottie.properties import FRAME_DECIMALS, Json, short
 from shapetween.formats.options import WriteOptions
-from shapetween.formats.plain import group_losses
+from shapetween.formats.plain import colour_losses, group_losses
 from shapetween.formats.table import Segments, Written
 from shapetween.timing.easing import LINEAR, handles_of
 from shapetween.timing.timeline import Passage, Timeline
@@ -100,7 +100,7 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
             _remapped(index, leg, passage, root, options, ends=passage.until == last)
             for index, (leg, passage) in enumerate(passages, start=1)
         ]
-    lost = group_losses(movements, "Lottie")
+    lost = [*colour_losses(movements, "Lottie"), *group_losses(movements, "Lottie")]
     return root, [*lost, *(loss for _, losses in made for loss in losses)]
 
 
