@@ -1,0 +1,77 @@
+"""Nothing jumps: no control point runs faster than a bound over any ten thousandth of the time."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from shapetween.base.arrays import Floats
+from shapetween.model.movement import Movement, Part
+from shapetween.pipeline import Options, prepare
+from shapetween.svg.read.reader import read_svg
+
+INPUTS = Path(__file__).resolve().parents[1] / "gallery" / "inputs"
+
+#: Thousandths of the view box that a point may run in a ten thousandth of the time: as if it ran
+#: through fifteen pictures in the whole. A jump is a line's width at least, twenty and more.
+BOUND, SHORT = 1.5, 1e-4
+
+#: Parts of the time that are looked at; where points run farthest in, they are looked at closer.
+STEPS, CLOSER = 240, 4
+
+#: Pairs of the gallery: areas, holes, strokes, parts that come and go.
+PAIRS = (
+    ("man-dancing", "woman-dancing"),
+    ("hand-closed", "hand-open"),
+    ("man", "werewolf"),
+    ("key", "lock"),
+    ("letter-o", "letter-c"),
+)
+
+#: Pairs of the corpus: lines that are drawn, slashes that cut, marks that come and go.
+REAL = ("icons-05", "icons-06", "icons-17", "icons-37", "icons-45", "emoji-05", "dev-multipart-06")
+
+
+def fastest(movement: Movement) -> float:
+    """How far any control point runs in so short a time, in thousandths of the view box."""
+    size = max(movement.box.width, movement.box.height)
+    return max(_fastest(part) * 1000 / size for part in movement.parts)
+
+
+def _fastest(part: Part) -> float:
+    times = np.linspace(0.0, 1.0, STEPS + 1)
+    runs = _runs(part, times)
+    found = 0.0
+    for k in np.argsort(-runs)[:CLOSER].tolist():
+        low, high = float(times[k]), float(times[k + 1])
+        while high - low > SHORT:
+            middle = (low + high) / 2
+            first, second = _runs(part, np.array([low, middle, high])).tolist()
+            low, high = (low, middle) if first >= second else (middle, high)
+        found = max(found, float(_runs(part, np.array([low, high]))[0]))
+    return found
+
+
+def _runs(part: Part, times: Floats) -> Floats:
+    """The farthest that a point runs from each time to the next."""
+    places = part.curves(times).reshape(len(times), -1, 2)
+    return np.asarray(np.linalg.norm(np.diff(places, axis=0), axis=-1).max(axis=1))
+
+
+def moved(first: Path, last: Path) -> Movement:
+    drawings = (read_svg(place.read_bytes(), place.name) for place in (first, last))
+    return prepare(*drawings, Options(folds="allow")).movement
+
+
+@pytest.mark.parametrize("pair", PAIRS, ids="-to-".join)
+def test_nothing_jumps_in_the_gallery(pair: tuple[str, str]) -> None:
+    a, b = (INPUTS / f"{name}.svg" for name in pair)
+    assert fastest(moved(a, b)) <= BOUND
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_nothing_jumps_in_scenes(corpus: Path, name: str) -> None:
+    listed = json.loads((corpus / "pairs.json").read_text("utf-8"))
+    (pair,) = (each for each in listed if each["id"] == name)
+    assert fastest(moved(corpus / pair["a"], corpus / pair["b"])) <= BOUND
