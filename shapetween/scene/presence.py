@@ -7,8 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Curves, Floats, Points
-from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.base.arrays import Affine, Curves, Floats, Index, Points
+from shapetween.geometry.bezier import (
+    derivatives,
+    end_tangents,
+    evaluate,
+    line_curves,
+    sub_curves,
+)
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.model.gradients import has_gradient, moved_style
 from shapetween.model.outline import Outline
@@ -28,6 +34,10 @@ LAST = 0.96
 #: Powers of time by which parts shrink and lines are retracted: slowly at first, or what comes is a
 #: speck too long.
 SHRINKS, RETRACTS = 3, 2
+
+#: Share of a line's length that lines without any length are given, for their direction. Larger and
+#: they are seen; smaller and their direction is lost in rounding.
+SHORTEST = 1e-5
 
 #: Least and greatest growth of what carries a part along that the part takes up. Farther, and what
 #: leaves a thing that itself collapses would be a speck, or as large as the drawing.
@@ -260,7 +270,12 @@ def _similarity(home: Points, now: Points) -> Affine:
 
 
 def retracted(curves: Curves, left: Floats, kept: float) -> Curves:
-    """A share (F,) of a line (N, 4, 2) about a share of its length that stays, (F, N, 4, 2)."""
+    """A share (F,) of a line (N, 4, 2) about a share of its length that stays, (F, N, 4, 2).
+
+    What is cut off lies at the ends of what is left as lines too short to be seen, which go on in
+    its direction: an outline that follows the line has caps there, and a point has no direction.
+    """
+    left = np.maximum(left, SHORTEST)
     low, high = kept * (1 - left), 1 - (1 - kept) * (1 - left)
     places = Places(Outline(curves, False))
     count = len(curves)
@@ -276,10 +291,33 @@ def retracted(curves: Curves, left: Floats, kept: float) -> Curves:
     repeated = np.broadcast_to(curves, (len(left), *curves.shape)).reshape(-1, 4, 2)
     parts = sub_curves(repeated, start.ravel(), np.maximum(stop, start).ravel())
     parts = parts.reshape(len(left), count, 4, 2)
-    # What is cut off lies on the ends of what is left.
-    before = index < first[:, None]
-    after = (index > last[:, None]) & ~whole_end[:, None]
+    last = np.minimum(last, count - 1)
     frames = np.arange(len(left))
-    heads, tails = parts[frames, first, 0], parts[frames, np.minimum(last, count - 1), 3]
-    parts = np.where(before[..., None, None], heads[:, None, None], parts)
-    return np.where(after[..., None, None], tails[:, None, None], parts)
+    leaving = _directions(curves[first], begin)[:, None]
+    reaching = _directions(curves[last], np.where(whole_end, 1.0, end))[:, None]
+    step = SHORTEST * places.length
+    gone = stop <= start
+    # How many such lines there are from what is left to the far end of each.
+    over = first[:, None] - index + gone[frames, first][:, None]
+    beyond = index - last[:, None] + gone[frames, last][:, None]
+    head, tail = parts[frames, first, 0][:, None], parts[frames, last, 3][:, None]
+
+    def out(place: Points, count: Index, way: Points) -> Points:
+        return np.asarray(place + count[..., None] * step * way)
+
+    heads = line_curves(out(head, -over, leaving), out(head, 1 - over, leaving))
+    tails = line_curves(out(tail, beyond - 1, reaching), out(tail, beyond, reaching))
+    before, after = gone & (index <= first[:, None]), gone & (index >= last[:, None])
+    parts = np.where(before[..., None, None], heads, parts)
+    return np.where(after[..., None, None], tails, parts)
+
+
+def _directions(curves: Curves, at: Floats) -> Points:
+    """Unit directions of curves (F, 4, 2) at a parameter each, (F, 2)."""
+    velocity = derivatives(curves, at[:, None])[:, 0]
+    speed = np.sqrt((velocity**2).sum(axis=1))[:, None]
+    size = np.abs(np.diff(curves, axis=1)).max(axis=(1, 2))[:, None]
+    leaving, reaching = end_tangents(curves)
+    ends = np.where(at[:, None] < 0.5, leaving, reaching)
+    moves = speed > 1e-9 * size
+    return np.asarray(np.where(moves, velocity / np.where(moves, speed, 1.0), ends))

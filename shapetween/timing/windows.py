@@ -24,9 +24,16 @@ Handles: TypeAlias = tuple[float, float, float, float]
 HANDLES_X = (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
 HANDLES_Y = (0.0, 0.5, 1.0)
 
-#: What sets off and arrives without a jerk, as parts do that come and go: over a window besides all
-#: others, however like it they are, for alone it takes no further ones.
-SMOOTH = (1 / 3, 0.0, 2 / 3, 1.0)
+#: What parts do that come and go: set off and arrive without a jerk, or go as a power of time. Over
+#: a window these are there besides all others, however like one they are, for alone they take no
+#: further ones.
+OWN = (
+    (1 / 3, 0.0, 2 / 3, 1.0),
+    (1 / 3, 0.0, 2 / 3, 0.0),
+    (1 / 3, 1.0, 2 / 3, 1.0),
+    (1 / 3, 0.0, 2 / 3, 1 / 3),
+    (1 / 3, 2 / 3, 2 / 3, 1.0),
+)
 
 #: Easings that are nowhere farther apart than this are one: telling them apart needs displacements
 #: so large that rounding them shows.
@@ -100,8 +107,8 @@ def library(clock: Floats, turns: tuple[float, ...]) -> tuple[tuple[Eased, ...],
 def turning_times(points: Floats, clock: Floats, tolerance: float) -> tuple[float, ...]:
     """When points (S, K, 2) at times (S,) set off, stop or turn a corner, few at most.
 
-    A corner is where the acceleration leaps: more than it does on either side, and by more than can
-    be overlooked.
+    A corner is where the acceleration leaps, or the speed: more than it does on either side, and by
+    more than can be overlooked.
     """
     gaps = np.diff(clock)
     even = gaps.max(initial=0.0)
@@ -114,8 +121,10 @@ def turning_times(points: Floats, clock: Floats, tolerance: float) -> tuple[floa
     speeds = np.diff(places, axis=0) / steps
     middles = (times[1:] + times[:-1]) / 2
     accelerations = np.diff(speeds, axis=0) / np.diff(middles)[:, None, None]
-    # Of samples k - 1 and k + 1 beside each: the corner may lie on either side of a sample.
-    leaps = np.sqrt(((accelerations[2:] - accelerations[:-2]) ** 2).sum(-1)).max(axis=1) * even**2
+    # What is before a sample and after it, where the acceleration leaps; and where the speed does,
+    # what it is there beside both.
+    before, here, after = accelerations[:-2], accelerations[1:-1], accelerations[2:]
+    leaps = np.maximum(_longest(after - before), _longest(2 * here - before - after)) * even**2
     at = times[2:-2]
     found: list[float] = []
     enough = max(SHARP * float(leaps.max(initial=0.0)), tolerance / OVERLOOKED)
@@ -128,11 +137,16 @@ def turning_times(points: Floats, clock: Floats, tolerance: float) -> tuple[floa
     return tuple(sorted(round(time, DECIMALS) for time in found))
 
 
+def _longest(vectors: Floats) -> Floats:
+    """The greatest length at each time, (S, K, 2) to (S,)."""
+    return np.asarray(np.sqrt((vectors**2).sum(-1)).max(axis=1))
+
+
 @lru_cache(maxsize=64)
 def _table(clock: bytes, window: tuple[float, float]) -> tuple[tuple[Eased, ...], Floats]:
     """Easings over one window, and what they are at times."""
     times = np.frombuffer(clock, np.float64)
-    handles = _handles() if window == (0.0, 1.0) else (*_handles(), SMOOTH)
+    handles = _handles() if window == (0.0, 1.0) else (*_handles(), *OWN)
     choices = tuple(Eased(each, window) for each in handles)
     shares = _shares(handles, window, times)
     shares.setflags(write=False)

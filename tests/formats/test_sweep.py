@@ -40,6 +40,10 @@ BACK = ((1.25, 0.75), (1.5, 0.5), (1.75, 0.25), (2.0, 0.0))
 #: place between keyframes.
 STRAY = 3e-3
 
+#: The same of Android, whose times are whole milliseconds: of a second's movement each may be half
+#: a thousandth off.
+STRAY_ANDROID = 6e-3
+
 #: How many of all pairs run without being asked for: one in so many.
 SAMPLED = 9
 
@@ -146,5 +150,9 @@ def test_every_format_shows_the_frames(
     if ALL:
         with Path(ALL).open("a", encoding="utf-8") as kept:
             kept.write(json.dumps({"pair": name, **found}) + "\n")
-    worse = {key: off for key, off in found.items() if isinstance(off, float) and off > STRAY}
+    worse = {
+        key: off
+        for key, off in found.items()
+        if isinstance(off, float) and off > (STRAY_ANDROID if ".xml" in key else STRAY)
+    }
     assert not worse

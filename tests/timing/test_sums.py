@@ -123,6 +123,20 @@ def test_what_goes_while_it_is_carried_takes_few_more() -> None:
     assert starts == sorted(starts)
 
 
+@pytest.mark.parametrize("power", [2, 3])
+def test_what_shrinks_to_a_sudden_stop_is_one_easing(power: int) -> None:
+    home = turning(0.0, CLOCK)[:1]
+    points = home * (1 - np.clip(CLOCK / 0.5, 0, 1) ** power)[:, None, None]
+    assert turning_times(points, CLOCK, TOLERANCE) == (0.5,)
+    result = found(points)
+    assert result is not None
+    assert len(result.easings) == 1
+    later = home * (1 - np.clip((1 - CLOCK) / 0.5, 0, 1) ** power)[:, None, None]
+    result = found(later)
+    assert result is not None
+    assert len(result.easings) == 1
+
+
 def test_smooth_movement_has_no_corners() -> None:
     assert turning_times(turning(2.5, CLOCK), CLOCK, TOLERANCE) == ()
 
