@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import TypeVar
 
 from shapetween.model.blend import faded
-from shapetween.model.gradients import in_normal_form, solid_gradient
+from shapetween.model.gradients import IDENTITY, in_normal_form, solid_gradient
 from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
 
 __all__ = ["StyleTrack", "style_tracks"]
@@ -104,7 +104,31 @@ def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:
         elif isinstance(paint, Colour) and isinstance(near, Gradient):
             paint = solid_gradient(paint, near)
         track.append(in_normal_form(paint) if isinstance(paint, Gradient) else paint)
-    return track
+    return _unflattened(track)
+
+
+def _unflattened(track: list[PaintT]) -> list[PaintT]:
+    """The paints, where a line that is flattened to a point lies as it does at the nearest time.
+
+    What it paints has no size then, and players have no such lines. Where it is so all the time,
+    it is its last colour.
+    """
+    lines = [p if isinstance(p, Gradient) and p.kind == "linear" else None for p in track]
+    flat = [line is not None and line.matrix != IDENTITY for line in lines]
+    if not any(flat):
+        return track
+    known = [k for k, line in enumerate(lines) if line is not None and not flat[k]]
+    result = list(track)
+    for k, line in enumerate(lines):
+        if line is None or not flat[k]:
+            continue
+        near = lines[_nearest(known, k)] if known else None
+        if near is None:
+            stops = tuple(replace(stop, colour=line.stops[-1].colour) for stop in line.stops)
+            result[k] = replace(line, matrix=IDENTITY, stops=stops)
+        else:
+            result[k] = replace(line, matrix=IDENTITY, points=near.points)
+    return result
 
 
 def _nearest(samples: Sequence[int], sample: int) -> int:

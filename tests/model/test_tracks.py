@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapetween.model.blend import blend
+from shapetween.model.gradients import IDENTITY
 from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style
 from shapetween.model.tracks import style_tracks
 
@@ -63,3 +64,18 @@ def test_a_change_of_kind_is_a_cut() -> None:
 def test_dashes_that_meet_are_an_unbroken_line() -> None:
     closed = Style(None, replace(LINE, dashes=(4.0, 0.0)))
     assert style_tracks([closed])[0].styles[0].stroke == LINE
+
+
+def test_a_line_that_is_flattened_lies_as_it_last_did() -> None:
+    """A shape that shrinks to nothing takes its gradient along, which ends as a point."""
+    stops = (Stop(0.0, Colour(1, 0, 0)), Stop(1.0, Colour(0, 0, 1)))
+    sizes = (1.0, 0.5, 0.0, 0.0)
+    shades = [Gradient("linear", (0, 0, 8, 0), (k, 0, 0, k, 0, 0), stops) for k in sizes]
+    (track,) = style_tracks([Style(shade) for shade in shades])
+    found = [style.fill for style in track.styles]
+    assert all(isinstance(fill, Gradient) and fill.matrix == IDENTITY for fill in found)
+    assert [fill.points for fill in found if isinstance(fill, Gradient)][1:] == [(0, 0, 4, 0)] * 3
+    (track,) = style_tracks([Style(shades[-1])] * 2)
+    (fill, _) = (style.fill for style in track.styles)
+    assert isinstance(fill, Gradient)
+    assert {stop.colour for stop in fill.stops} == {stops[-1].colour}
