@@ -69,8 +69,8 @@ DRAWN = {
     "dashes": '<path fill="none" stroke="#000" stroke-dasharray="9 4" d="M10 10LM 60"/>',
     "gradients that change": f"<defs>{SHADE.format(a='#f00', b='#00M')}</linearGradient></defs>"
     '<path fill="url(#g)" d="M10 10HMV50H10Z"/>',
-    "opacity of a group": '<g opacity=".5"><path d="M10 10HMV50H10Z"/><path d="M20 20HMV90H20Z"/>'
-    "</g>",
+    "opacity of a group": '<g opacity=".5"><path d="M10 10HMV50H10Z"/>'
+    '<path fill="#c00" d="M20 20HMV90H20Z"/></g>',
     "masks": f'{MASK}<g mask="url(#m)"><path d="M10 10HMV50H10Z"/></g>',
     "filters": f'{BLUR}<path filter="url(#f)" d="M10 10HMV50H10Z"/>',
     "blending": '<path style="mix-blend-mode:multiply" d="M10 10HMV50H10Z"/>',
