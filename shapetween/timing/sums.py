@@ -31,7 +31,7 @@ Grid = NDArray[np.int64]
 """Coordinates in steps of the last decimal that is written."""
 
 #: Most easings of a sum. With more, keyframes are about as short, and a player adds for longer.
-MOST_TERMS = 16
+MOST_TERMS = 14
 
 #: Weight of the end, which must be met, among samples that weigh 1.
 END_WEIGHT = 100.0
