@@ -38,8 +38,9 @@ BODY = 0.08
 #: Least share of all outlines that is common, of either drawing.
 SHARED = 0.5
 
-#: Most curves of the areas of one colour that are looked at; more take longer than it is worth.
-MOST_CURVES = 300
+#: Most areas of a drawing, and most curves of those of one colour, that are looked at; more take
+#: longer than it is worth.
+MOST_AREAS, MOST_CURVES = 40, 300
 
 Family: TypeAlias = tuple[list[int], list[int]]
 """Items of both drawings."""
@@ -141,7 +142,7 @@ def _families(sides: tuple[Sequence[Item], Sequence[Item]]) -> list[Family]:
     import shapely
 
     plain = [[k for k, item in enumerate(side) if item.plain] for side in sides]
-    if not plain[0] or not plain[1]:
+    if not plain[0] or not plain[1] or max(map(len, plain)) > MOST_AREAS:
         return []
     drawn = [np.array([s[k].drawn for k in own]) for s, own in zip(sides, plain, strict=True)]
     one, other = shapely.STRtree(drawn[1]).query(drawn[0], predicate="intersects")

@@ -11,7 +11,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
-from shapetween.scene.kept.wipes import Telescoped, Timed, Wiped
+from shapetween.scene.kept.wipes import Opened, Telescoped, Wiped
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces
 
@@ -62,8 +62,8 @@ FLAT = 0.15
 #: Most pieces besides holes and what lies beside bars.
 MOST_PIECES = 6
 
-#: When a hole opens.
-OPENS = (0.1, 0.9)
+#: Least ratio of the sides of a hole that is drawn as a bar.
+SLOT = 2.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,8 +89,8 @@ class Bar:
         return bool(aside.max() <= BESIDE * self.half)
 
 
-def bar_of(area: "shapely.Geometry") -> Bar | None:
-    """The bar that an area is; None of others."""
+def bar_of(area: "shapely.Geometry", slender: float = SLENDER) -> Bar | None:
+    """The bar that an area is, at least so many times longer than wide; None of others."""
     import shapely
 
     corners = shapely.get_coordinates(area.minimum_rotated_rectangle)
@@ -99,7 +99,7 @@ def bar_of(area: "shapely.Geometry") -> Bar | None:
     sides = np.diff(corners[:3], axis=0)
     lengths = np.linalg.norm(sides, axis=1)
     long = int(lengths.round(9).argmax())
-    if lengths[long] < SLENDER * lengths[1 - long] or area.area < FILLED * lengths.prod():
+    if lengths[long] < slender * lengths[1 - long] or area.area < FILLED * lengths.prod():
         return None
     ahead = sides[long] / lengths[long]
     level = abs(ahead[1]) < 1e-6
@@ -202,14 +202,6 @@ def _blend(source: Curves, target: Curves) -> Blend:
     return Blend(Pieces(source, target, True), np.stack([source[0, 0], target[0, 0]]))
 
 
-def _rings_of(piece: Piece, laid: Overlay) -> tuple[Outline, ...]:
-    """A piece's rings as that area has them whose it is."""
-    rings = laid.outlines(piece.area)
-    if not piece.comes:
-        return tuple(rings)
-    return tuple(Outline(laid.at_last(ring)) for ring in rings)
-
-
 def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
     """Pieces wiped as a bar is drawn, or undrawn."""
     import shapely
@@ -225,17 +217,24 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
         reach[piece.comes] = max(reach[piece.comes], abs(own - low).max(), abs(own - high).max())
     drawn = reach.get(True, 0.0) >= reach.get(False, 0.0)
     ends = (low, high) if drawn else (high, low)
-    return [Wiped(_rings_of(p, laid), bar.ahead, ends, p.comes == drawn) for p in group]
+    return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == drawn) for p in group]
 
 
 def _opening(piece: Piece, laid: Overlay) -> Track:
-    """A hole that opens round its middle, or closes."""
-    (ring,) = _rings_of(piece, laid)
-    middle = piece.area.centroid
+    """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn."""
+    (ring,) = laid.rings_of(piece)
     void = ring.reversed().curves
-    point = np.broadcast_to(np.array([middle.x, middle.y]), void.shape).copy()
-    ends = (void, point) if piece.comes else (point, void)
-    return Timed(_blend(*ends), OPENS)
+    bar = bar_of(piece.area, SLOT)
+    middle = np.array([piece.area.centroid.x, piece.area.centroid.y])
+    first = void
+    if bar is not None:
+        places = void @ bar.ahead
+        low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
+        back = np.clip(places - low, 0.0, high - low)
+        first = void - back[..., None] * bar.ahead
+        middle = first.reshape(-1, 2).min(axis=0) / 2 + first.reshape(-1, 2).max(axis=0) / 2
+    point = np.broadcast_to(middle, void.shape).copy()
+    return Opened(_blend(point, first), None if bar is None else _blend(first, void), piece.comes)
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> Track:
@@ -245,7 +244,7 @@ def _at_contact(piece: Piece, laid: Overlay) -> Track:
     way = _way(piece)
     places = shapely.get_coordinates(piece.area) @ way
     low, high = float(places.min()), float(places.max())
-    rings = _rings_of(piece, laid)
+    rings = laid.rings_of(piece)
     if _stands(piece, laid) and _has_walls(piece, way):
         return Telescoped(rings, way, low, high - low, piece.comes)
     ends = (low, high) if piece.comes else (high, low)

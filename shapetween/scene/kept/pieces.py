@@ -2,17 +2,17 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Points
+from shapetween.base.arrays import Curves, Floats, Index, Points
 from shapetween.boolean.chords import Chords
 from shapetween.boolean.trace import traced
-from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.kept.stretches import Snapped
-from shapetween.scene.places import Places
 
 if TYPE_CHECKING:
     import shapely
@@ -25,8 +25,12 @@ ROUNDING = 1e-7
 #: Distance, as a share of the drawing, within which borders cut from one polygon are one.
 ONE = 1e-6
 
-#: Distance, as a share of its size, within which a curve lies on another.
-PART = 1e-3
+#: Chords of a curve that others are looked for on.
+CHORDS = 24
+
+#: Distance, as a share of its size, within which a curve lies on another; and from an end of that,
+#: as a parameter, within which it starts there.
+PART, AT_END = 2e-3, 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,7 +54,7 @@ class Piece:
     free: "shapely.Geometry"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Overlay:
     """Two areas laid on each other.
 
@@ -77,14 +81,32 @@ class Overlay:
         """Rings of an area cut from both, outer ones clockwise and holes against."""
         return [ring for rings in traced(area, self.chords) for ring in rings]
 
-    def at_last(self, ring: Outline) -> Curves:
-        """A ring's curves where the second area has them, in that one's own curves."""
+    @cached_property
+    def _rings(self) -> list[tuple[Outline, ...]]:
+        import shapely
+
+        together = shapely.GeometryCollection([piece.area for piece in self.pieces])
+        return traced(together, self.chords)
+
+    def rings_of(self, piece: Piece) -> tuple[Outline, ...]:
+        """A piece's rings, as that area has them whose it is."""
+        rings = self._rings[next(k for k, own in enumerate(self.pieces) if own is piece)]
+        if not piece.comes:
+            return rings
+        return tuple(Outline(self.at_last(ring)) for ring in rings)
+
+    @cached_property
+    def _moved(self) -> tuple[Curves, Curves]:
+        """The second area's curves that are not its own, and what they are in fact."""
         second = np.concatenate([r.curves for r in self.snapped.second])
         exact = np.concatenate([r.curves for r in self.snapped.exact])
         moved = (second != exact).any(axis=(1, 2))
-        if not moved.any():
-            return ring.curves
-        return _image(ring.curves, second[moved], exact[moved])
+        return second[moved], exact[moved]
+
+    def at_last(self, ring: Outline) -> Curves:
+        """A ring's curves where the second area has them, in that one's own curves."""
+        second, exact = self._moved
+        return _image(ring.curves, second, exact) if len(second) else ring.curves
 
 
 def areas_of(
@@ -164,13 +186,9 @@ def _polygons(area: "shapely.Geometry", scale: float) -> "shapely.Geometry":
 def _image(curves: Curves, second: Curves, exact: Curves) -> Curves:
     """Curves, each that is part of one of `second` as the same part of its counterpart."""
     result = curves.copy()
-    found = np.zeros(len(curves), dtype=bool)
-    for k, curve in enumerate(curves):
-        part = _part(curve, second)
-        if part is not None:
-            which, start, end = part
-            result[k] = sub_curves(exact[which][None], np.array([start]), np.array([end]))[0]
-            found[k] = True
+    which, start, end = _parts(curves, second)
+    found = which >= 0
+    result[found] = sub_curves(exact[which[found]], start[found], end[found])
     for k in range(len(curves)):
         after = (k + 1) % len(curves)
         goal = result[after, 0] if found[after] else result[k, 3]
@@ -183,24 +201,25 @@ def _image(curves: Curves, second: Curves, exact: Curves) -> Curves:
     return result
 
 
-def _part(curve: Points, second: Curves) -> tuple[int, float, float] | None:
-    """Which of some curves another is a part of, and between which parameters."""
-    same = (second[:, [0, 3]] == curve[[0, 3]]).all(axis=(1, 2))
-    for k in np.flatnonzero(same).tolist():
-        return k, 0.0, 1.0
-    same = (second[:, [3, 0]] == curve[[0, 3]]).all(axis=(1, 2))
-    for k in np.flatnonzero(same).tolist():
-        return k, 1.0, 0.0
-    size = float(np.ptp(curve, axis=0).max())
-    points = np.stack([curve[0], (curve[0] + 3 * curve[1] + 3 * curve[2] + curve[3]) / 8, curve[3]])
-    for k in range(len(second)):
-        places = Places(Outline(second[k][None], closed=False))
-        shares = places.nearest(points)
-        away = np.linalg.norm(places.point(shares) - points, axis=1)
-        if away.max() < PART * size and min(shares[0], shares[2]) < shares[1] < max(
-            shares[0], shares[2]
-        ):
-            _, t = places.locate(shares)
-            ends = np.where(shares >= 1.0, 1.0, t)
-            return k, float(ends[0]), float(ends[2])
-    return None
+def _parts(curves: Curves, second: Curves) -> tuple[Index, Floats, Floats]:
+    """Which of some curves each other one is a part of, -1 of none, and between what parameters."""
+    looked = evaluate(curves, np.array([0.0, 0.5, 1.0]))  # (N, 3, 2)
+    chords = evaluate(second, np.arange(CHORDS + 1) / CHORDS)
+    steps = np.diff(chords, axis=1)
+    square = (steps**2).sum(-1)
+    away = looked[:, :, None, None] - chords[:, :-1]  # (N, 3, M, CHORDS, 2)
+    part = (away * steps).sum(-1) / np.where(square > 0, square, 1.0)
+    part = np.clip(part, 0.0, 1.0)
+    off = np.linalg.norm(away - part[..., None] * steps, axis=-1)
+    best = off.argmin(axis=-1)[..., None]
+    t = (best + np.take_along_axis(part, best, axis=-1))[..., 0] / CHORDS
+    near = np.take_along_axis(off, best, axis=-1)[..., 0].max(axis=1)  # (N, M)
+    size = np.ptp(curves, axis=1).max(axis=1)
+    between = (t[:, 1] - t[:, 0]) * (t[:, 2] - t[:, 1]) > 0
+    near = np.where(between & (near < PART * size[:, None]), near, np.inf)
+    which = near.argmin(axis=1)
+    index = np.arange(len(curves))
+    ends = [t[index, k, which] for k in (0, 2)]
+    # An end next to a curve's own is that.
+    ends = [np.where(np.abs(e - np.round(e)) < AT_END, np.round(e), e) for e in ends]
+    return np.where(np.isfinite(near[index, which]), which, -1), ends[0], ends[1]

@@ -11,7 +11,11 @@ from shapetween.model.outline import Outline
 from shapetween.scene.motion.tracks import Meshless, Track
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "Telescoped", "Timed", "Wiped"]
+__all__ = ["Against", "Opened", "Telescoped", "Wiped"]
+
+#: When a hole opens; and the share of that in which one that is drawn out opens round at its end.
+#: Later or longer, and there is a speck in the middle of the movement.
+OPENS, POINTED = (0.15, 0.85), 0.2
 
 #: Bisections that a place on a curve is found by, to the last digit.
 BISECTIONS = 54
@@ -160,32 +164,42 @@ def _crossing(place: Floats, limit: Floats, rising: Mask) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Timed(Meshless):
-    """A track that runs in a share of the time, from rest to rest.
+class Opened(Meshless):
+    """A hole that opens from a point, soon at a decent size, and may then be drawn out.
 
     Attributes
     ----------
-    track : Track
-    window : (float, float)
+    grown : Track
+        From the point to where it is open.
+    drawn : Track or None
+        From there to the whole of it.
+    closes : bool
+        Whether it does the same backwards instead.
     """
 
-    track: Track
-    window: tuple[float, float]
+    grown: Track
+    drawn: Track | None
+    closes: bool
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """As the track's."""
-        return self.track.counts
+        """As the tracks'."""
+        return self.grown.counts
 
     @property
     def closed(self) -> tuple[bool, ...]:
-        """As the track's."""
-        return self.track.closed
+        """As the tracks'."""
+        return self.grown.closed
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        low, high = self.window
-        return self.track.curves(smooth_step((t - low) / (high - low)))
+        low, high = OPENS
+        share = np.clip(((1 - t if self.closes else t) - low) / (high - low), 0.0, 1.0)
+        if self.drawn is None:
+            return self.grown.curves(1 - (1 - share) ** 2)
+        first = self.grown.curves(np.minimum(share / POINTED, 1.0))
+        later = self.drawn.curves(smooth_step((share - POINTED) / (1 - POINTED)))
+        return np.where((share < POINTED)[:, None, None, None], first, later)
 
 
 @dataclass(frozen=True, eq=False)
