@@ -28,6 +28,7 @@ from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.areas import kept_areas
+from shapetween.scene.limbs import with_limbs
 from shapetween.scene.motion.choose import SAME, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.movement import SceneMovement, move_scene
@@ -231,6 +232,11 @@ def _moved(
         if kept.areas:
             one, other = as_lines(kept.first, kept.second)
             scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)
+            return (), (*said, *more, *scene.notices), scene
+        apart = with_limbs(one, other)
+        if apart is not None:
+            one, other = as_lines(*apart)
+            scene = move_scene(one, other, boxes, asked, settings, names)
             return (), (*said, *more, *scene.notices), scene
     if not (free and _two_outlines(one, other)):
         one, other = as_lines(one, other)

@@ -11,7 +11,8 @@ from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
-from shapetween.scene.kept.wipes import Opened, Telescoped, Wiped
+from shapetween.scene.kept.wipes import Slot, Telescoped, Wiped
+from shapetween.scene.motion.holes import Opening
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces
 
@@ -225,16 +226,14 @@ def _opening(piece: Piece, laid: Overlay) -> Track:
     (ring,) = laid.rings_of(piece)
     void = ring.reversed().curves
     bar = bar_of(piece.area, SLOT)
-    middle = np.array([piece.area.centroid.x, piece.area.centroid.y])
-    first = void
-    if bar is not None:
-        places = void @ bar.ahead
-        low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
-        back = np.clip(places - low, 0.0, high - low)
-        first = void - back[..., None] * bar.ahead
-        middle = first.reshape(-1, 2).min(axis=0) / 2 + first.reshape(-1, 2).max(axis=0) / 2
-    point = np.broadcast_to(middle, void.shape).copy()
-    return Opened(_blend(point, first), None if bar is None else _blend(first, void), piece.comes)
+    if bar is None:
+        return Opening(_blend(void, void), piece.comes)
+    places = void @ bar.ahead
+    low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
+    first = void - np.clip(places - low, 0.0, high - low)[..., None] * bar.ahead
+    corners = first.reshape(-1, 2)
+    point = np.broadcast_to((corners.min(axis=0) + corners.max(axis=0)) / 2, void.shape).copy()
+    return Slot(_blend(point, first), _blend(first, void), piece.comes)
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> Track:

@@ -8,14 +8,15 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
+from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import Meshless, Track
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "Opened", "Telescoped", "Wiped"]
+__all__ = ["Against", "Slot", "Telescoped", "Wiped"]
 
-#: When a hole opens; and the share of that in which one that is drawn out opens round at its end.
-#: Later or longer, and there is a speck in the middle of the movement.
-OPENS, POINTED = (0.15, 0.85), 0.2
+#: Share of the time that a slot opens in, in which it opens round at its end. Longer, and there is
+#: a speck for long.
+POINTED = 0.2
 
 #: Bisections that a place on a curve is found by, to the last digit.
 BISECTIONS = 54
@@ -164,21 +165,20 @@ def _crossing(place: Floats, limit: Floats, rising: Mask) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Opened(Meshless):
-    """A hole that opens from a point, soon at a decent size, and may then be drawn out.
+class Slot(Meshless):
+    """A hole that opens round at one end and is drawn out from there, or does so backwards.
 
     Attributes
     ----------
     grown : Track
-        From the point to where it is open.
-    drawn : Track or None
+        From a point to where it is round.
+    drawn : Track
         From there to the whole of it.
     closes : bool
-        Whether it does the same backwards instead.
     """
 
     grown: Track
-    drawn: Track | None
+    drawn: Track
     closes: bool
 
     @property
@@ -193,10 +193,7 @@ class Opened(Meshless):
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        low, high = OPENS
-        share = np.clip(((1 - t if self.closes else t) - low) / (high - low), 0.0, 1.0)
-        if self.drawn is None:
-            return self.grown.curves(1 - (1 - share) ** 2)
+        share = opened(t, self.closes)
         first = self.grown.curves(np.minimum(share / POINTED, 1.0))
         later = self.drawn.curves(smooth_step((share - POINTED) / (1 - POINTED)))
         return np.where((share < POINTED)[:, None, None, None], first, later)

@@ -1,10 +1,11 @@
 """Holes of a region whose outer ring is blended: each moves in the frame of that ring."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Points
+from shapetween.base.arrays import Affine, Curves, Floats, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.forms import RoundedBox, form_of
@@ -12,10 +13,10 @@ from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import ring_knots
 from shapetween.scene.motion.boxes import box_blend
 from shapetween.scene.motion.pinned import pinned_pieces
-from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.motion.tracks import Blend, Meshless, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["hole_tracks", "matched_holes"]
+__all__ = ["Opening", "hole_tracks", "matched_holes", "opened"]
 
 #: Greatest distance of two holes that become each other, as a share of the outer ring's box. More,
 #: and a hole crosses the region that another would have opened in.
@@ -24,6 +25,10 @@ APART = 0.4
 #: What a factor e in size costs beside that distance. Without it, two holes that swap sizes go
 #: to what is a little nearer; much more, and a hole that grows in place becomes another one.
 SIZE = 0.15
+
+#: When a hole opens. Later, and there is a speck in the middle of the movement; sooner, and it is
+#: there before what it belongs to.
+OPENS = (0.15, 0.85)
 
 #: Greatest such distance of two holes that are the only round ones: an eye, wherever it is.
 EYES_APART = 0.8
@@ -64,11 +69,50 @@ def hole_tracks(
         known = {pair[side] for pair in pairs}
         for k, hole in enumerate(own):
             if k not in known:
-                there = mapped(hole.centre, matrix)
-                closed = np.broadcast_to(there, hole.outer.curves.shape).copy()
-                ends = (closed, hole.outer.curves) if side else (hole.outer.curves, closed)
-                tracks.append(_in_frame(Pieces(*ends, True), outer))
+                there = mapped(hole.outer.curves, matrix)
+                ends = (there, hole.outer.curves) if side else (hole.outer.curves, there)
+                tracks.append(Opening(_in_frame(Pieces(*ends, True), outer), closes=not side))
     return tuple(tracks)
+
+
+@dataclass(frozen=True, eq=False)
+class Opening(Meshless):
+    """A hole that opens about its middle, soon at a decent size, or closes.
+
+    Attributes
+    ----------
+    whole : Track
+        The hole if it were open all the time.
+    closes : bool
+    """
+
+    whole: Track
+    closes: bool
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """As the hole's."""
+        return self.whole.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As the hole's."""
+        return self.whole.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        curves = self.whole.curves(t)
+        size = 1 - (1 - opened(t, self.closes)) ** 2
+        middle = (curves.min(axis=(1, 2)) + curves.max(axis=(1, 2))) / 2
+        middle = middle[:, None, None]
+        grown = middle + size[:, None, None, None] * (curves - middle)
+        return np.where((size == 1)[:, None, None, None], curves, grown)
+
+
+def opened(t: Floats, closes: bool) -> Floats:
+    """How far a hole has opened at the times (F,), from 0 to 1, or is still to close."""
+    low, high = OPENS
+    return np.clip(((1 - t if closes else t) - low) / (high - low), 0.0, 1.0)
 
 
 def _affine(source: Points, target: Points) -> Affine:
