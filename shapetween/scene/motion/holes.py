@@ -26,9 +26,9 @@ APART = 0.4
 #: to what is a little nearer; much more, and a hole that grows in place becomes another one.
 SIZE = 0.15
 
-#: When a hole opens. Later, and there is a speck in the middle of the movement; sooner, and it is
-#: there before what it belongs to.
-OPENS = (0.15, 0.85)
+#: Share of the time in which a hole opens. More, and it is a speck for long; less, and it is there
+#: before what it belongs to.
+OPENS = 0.85
 
 #: Greatest such distance of two holes that are the only round ones: an eye, wherever it is.
 EYES_APART = 0.8
@@ -111,8 +111,7 @@ class Opening(Meshless):
 
 def opened(t: Floats, closes: bool) -> Floats:
     """How far a hole has opened at the times (F,), from 0 to 1, or is still to close."""
-    low, high = OPENS
-    return np.clip(((1 - t if closes else t) - low) / (high - low), 0.0, 1.0)
+    return np.clip((1 - t if closes else t) / OPENS, 0.0, 1.0)
 
 
 def _affine(source: Points, target: Points) -> Affine:
