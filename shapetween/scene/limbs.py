@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.ranking import comparable
 from shapetween.boolean.chords import chords_of, joined
 from shapetween.boolean.trace import traced
 from shapetween.fill.regions import Region
@@ -100,14 +101,15 @@ def _split(item: Item, cuts: Sequence[Points]) -> list[Item] | None:
     net = shapely.union_all([area.boundary, *lines])
     found = shapely.get_parts(shapely.polygonize(shapely.get_parts(net))).tolist()
     faces = [face for face in found if area.contains(face.representative_point())]
-    body = max(faces, key=lambda face: face.area)
+    sizes = comparable([face.area for face in faces])
+    body = faces[int(sizes.argmax())]
     limbs = [face for face in faces if face is not body]
     if not limbs or body.area < BODY * area.area:
         return None
     chords = [own]
     borders = []
     for limb in limbs:
-        roots = [_root(line, body) for line in lines if line.distance(limb) < 1e-9 * item.extent]
+        roots = [_root(line, body) for line in lines if line.distance(limb) < 1e-6 * item.extent]
         if not roots:
             return None
         whole = shapely.union_all([limb, *roots])
@@ -193,7 +195,7 @@ def _onto(ends: Points, item: Item) -> Points:
     """The corners of an area that the ends of a mouth are nearest to."""
     corners = np.concatenate([ring.curves[:, 0] for ring in item.rings])
     away = np.linalg.norm(ends[:, None] - corners, axis=-1)
-    return np.asarray(corners[away.argmin(axis=1)])
+    return np.asarray(corners[comparable(away).argmin(axis=1)])
 
 
 def _root(line: "shapely.LineString", body: "shapely.Polygon") -> "shapely.Polygon":
@@ -204,4 +206,5 @@ def _root(line: "shapely.LineString", body: "shapely.Polygon") -> "shapely.Polyg
     way = end - start
     normal = ROOT * np.array([-way[1], way[0]])
     sides = [shapely.Polygon([start, end, end + n, start + n]) for n in (normal, -normal)]
-    return max(sides, key=lambda side: side.intersection(body).area)
+    inside = comparable([side.intersection(body).area for side in sides])
+    return sides[int(inside.argmax())]

@@ -24,11 +24,12 @@ SLASH = shapely.LineString([(12, 12), (88, 88)]).buffer(4)
 CROSSED = BOX.difference(SLASH.buffer(6))
 
 
-def path(area: shapely.Geometry, fill: str = "#000") -> str:
+def path(area: shapely.Geometry, fill: str = "#000", digits: int = 12) -> str:
     """A path of polygons, all their rings by the even-odd rule."""
     lines = [line for part in shapely.get_parts(area) for line in shapely.get_rings(part)]
     data = "".join(
-        "M" + " ".join(f"{x:.9f},{y:.9f}" for x, y in line.coords[:-1]) + "Z" for line in lines
+        "M" + " ".join(f"{x:.{digits}g},{y:.{digits}g}" for x, y in line.coords[:-1]) + "Z"
+        for line in lines
     )
     return f"<path d='{data}' fill='{fill}' fill-rule='evenodd'/>"
 
@@ -265,3 +266,27 @@ def test_a_slot_opens_round_at_one_end_and_is_drawn_from_there() -> None:
         low, high = np.array(void.bounds).reshape(2, 2)
         np.testing.assert_allclose([low[0], low[1], high[1]], [25, 45, 55], atol=0.1)
         assert void.area == pytest.approx((high[0] - low[0] - 10) * 10 + np.pi * 25, rel=0.02)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1e6])
+@pytest.mark.parametrize("after", ["slash", "hole", "arm"])
+def test_units_do_not_matter(unit: float, after: str) -> None:
+    second = {
+        "slash": [CROSSED, SLASH],
+        "hole": [BOX.difference(shapely.LineString([(30, 50), (70, 50)]).buffer(5))],
+        "arm": [BOX.union(shapely.LineString([(50, 30), (50, 5)]).buffer(5))],
+    }[after]
+
+    def moved(factor: float) -> list[Points]:
+        page = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {0}'>".format(100 * factor)
+        sides = [
+            "".join(path(shapely.transform(a, lambda p: p * factor), digits=15) for a in areas)
+            for areas in ([BOX], second)
+        ]
+        one, other = (read_svg(f"{page}{side}</svg>".encode(), "x") for side in sides)
+        movement = prepare(one, other).movement
+        return [part.curves(T) / factor for part in movement.parts]
+
+    for one, other in zip(moved(1.0), moved(unit), strict=True):
+        assert one.shape == other.shape
+        np.testing.assert_allclose(one, other, atol=1e-6)

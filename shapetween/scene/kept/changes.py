@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapetween.base.arrays import Curves, Points
+from shapetween.base.ranking import comparable
 from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 from shapetween.scene.kept.outlines import outline_tracks
@@ -99,7 +100,7 @@ def bar_of(area: "shapely.Geometry", slender: float = SLENDER) -> Bar | None:
         return None
     sides = np.diff(corners[:3], axis=0)
     lengths = np.linalg.norm(sides, axis=1)
-    long = int(lengths.round(9).argmax())
+    long = int(comparable(lengths).argmax())
     if lengths[long] < slender * lengths[1 - long] or area.area < FILLED * lengths.prod():
         return None
     ahead = sides[long] / lengths[long]
@@ -231,9 +232,7 @@ def _opening(piece: Piece, laid: Overlay) -> Track:
     places = void @ bar.ahead
     low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
     first = void - np.clip(places - low, 0.0, high - low)[..., None] * bar.ahead
-    corners = first.reshape(-1, 2)
-    point = np.broadcast_to((corners.min(axis=0) + corners.max(axis=0)) / 2, void.shape).copy()
-    return Slot(_blend(point, first), _blend(first, void), piece.comes)
+    return Slot(first, void, piece.comes)
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> Track:
@@ -294,4 +293,4 @@ def _way(piece: Piece) -> Points:
     corners = shapely.get_coordinates(piece.area.minimum_rotated_rectangle)
     sides = np.diff(corners[:3], axis=0)
     lengths = np.linalg.norm(sides, axis=1)
-    return np.asarray(sides[int(lengths.round(9).argmax())] / lengths.max())
+    return np.asarray(sides[int(comparable(lengths).argmax())] / lengths.max())

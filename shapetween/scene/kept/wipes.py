@@ -170,33 +170,34 @@ class Slot(Meshless):
 
     Attributes
     ----------
-    grown : Track
-        From a point to where it is round.
-    drawn : Track
-        From there to the whole of it.
+    begun, whole : (N, 4, 2) float64
+        Where it is round, and all of it.
     closes : bool
     """
 
-    grown: Track
-    drawn: Track
+    begun: Curves
+    whole: Curves
     closes: bool
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """As the tracks'."""
-        return self.grown.counts
+        """It is one ring."""
+        return (len(self.whole),)
 
     @property
     def closed(self) -> tuple[bool, ...]:
-        """As the tracks'."""
-        return self.grown.closed
+        """It is closed."""
+        return (True,)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        share = opened(t, self.closes)
-        first = self.grown.curves(np.minimum(share / POINTED, 1.0))
-        later = self.drawn.curves(smooth_step((share - POINTED) / (1 - POINTED)))
-        return np.where((share < POINTED)[:, None, None, None], first, later)
+        share = opened(t, self.closes)[:, None, None, None]
+        corners = self.begun.reshape(-1, 2)
+        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+        round_one = middle + np.minimum(share / POINTED, 1.0) * (self.begun - middle)
+        drawn = smooth_step((share - POINTED) / (1 - POINTED))
+        longer = (1 - drawn) * self.begun + drawn * self.whole
+        return np.asarray(np.where(share < POINTED, round_one, longer))
 
 
 @dataclass(frozen=True, eq=False)
