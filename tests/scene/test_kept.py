@@ -290,3 +290,30 @@ def test_units_do_not_matter(unit: float, after: str) -> None:
     for one, other in zip(moved(1.0), moved(unit), strict=True):
         assert one.shape == other.shape
         np.testing.assert_allclose(one, other, atol=1e-6)
+
+
+@pytest.mark.parametrize("start", range(5))
+def test_cutting_rings_alike_moves_nothing_wherever_they_start(start: int) -> None:
+    corners = [(0.0, 0.0), (60.0, 0.0), (60.0, 20.0), (45.0, 30.0), (60.0, 60.0), (0.0, 60.0)]
+    first = ring(corners[start:] + corners[:start])
+    for second in (
+        square(0, 0, 60),
+        ring([(0, 0), (60, 0), (60, 20), (45, 30), (20, 60), (0, 60)]),
+    ):
+        found = snapped([first], [second], 0.2)
+        assert found.stretches
+        assert found.first[0].area == pytest.approx(first.area, rel=1e-9)
+        assert found.exact[0].area == pytest.approx(second.area, rel=1e-9)
+        assert found.second[0].area == pytest.approx(second.area, rel=1e-9)
+
+
+def test_a_slash_through_several_parts_opens_all_of_them_in_time() -> None:
+    parts = [shapely.box(25, 25, 45, 45), shapely.box(55, 55, 75, 75)]
+    after = [p for part in parts for p in part.difference(SLASH.buffer(6)).geoms]
+    found = frames("".join(map(path, parts)), "".join(map(path, [*after, SLASH])))
+    for t, area in zip(T, found, strict=True):
+        if t <= 0.5:
+            assert parts[1].buffer(-0.1).difference(area).area < 0.01
+        if t >= 0.5:
+            opened = parts[0].difference(shapely.union_all([*after, SLASH])).buffer(-0.1)
+            assert area.intersection(opened).area < 0.01

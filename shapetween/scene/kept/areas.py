@@ -91,11 +91,13 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     scale = _scale(sides)
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
-    for family in _families(sides):
-        found = _kept(sides, family, scale)
-        if found is None:
+    looked = [found for f in _families(sides) if (found := _look(sides, f, scale)) is not None]
+    bars = [bar for found in looked for bar in found.bars]
+    for found in looked:
+        members = found.members
+        tracks = _tracks(found, bars, scale)
+        if tracks is None:
             continue
-        members, tracks = found
         largest = [
             max(own, key=lambda k: (round(side[k].area / scale**2, 9), -k))
             for side, own in zip(sides, members, strict=True)
@@ -166,10 +168,30 @@ def _families(sides: tuple[Sequence[Item], Sequence[Item]]) -> list[Family]:
     ]
 
 
-def _kept(
+@dataclass(frozen=True, slots=True, eq=False)
+class _Looked:
+    """Items of both drawings that largely coincide.
+
+    Attributes
+    ----------
+    members : (list of int, list of int)
+    items : (list of Item, list of Item)
+    snapped : Snapped
+        Their rings.
+    bars : tuple of Bar
+        Those among them of which the other drawing has nothing.
+    """
+
+    members: Family
+    items: tuple[list[Item], list[Item]]
+    snapped: Snapped
+    bars: tuple[Bar, ...]
+
+
+def _look(
     sides: tuple[Sequence[Item], Sequence[Item]], family: Family, scale: float
-) -> tuple[Family, tuple[Track, ...]] | None:
-    """Which items of a family are kept, with what comes and goes of them, and their tracks."""
+) -> _Looked | None:
+    """Which items of a family are kept, with what comes and goes of them."""
     items = [[sides[k][n] for n in family[k]] for k in (0, 1)]
     if sum(len(r.curves) for own in items for item in own for r in item.rings) > MOST_CURVES:
         return None
@@ -188,7 +210,7 @@ def _kept(
                 common[side] += float(shared[k])
                 length[side] += float(around[k])
             else:
-                bar = bar_of(item.enclosed)
+                bar = bar_of(item.enclosed, comes=side == 1)
                 if bar is None:
                     continue
                 bars.append(bar)
@@ -201,14 +223,12 @@ def _kept(
         return None
     if [len(side) for side in members] != [len(side) for side in family]:
         found = snapped(_rings(kept[0]), _rings(kept[1]), reach)
-    tracks = _tracks(kept, found, bars, scale)
-    return None if tracks is None else (members, tracks)
+    return _Looked(members, kept, found, tuple(bars))
 
 
-def _tracks(
-    kept: tuple[list[Item], list[Item]], found: Snapped, bars: Sequence[Bar], scale: float
-) -> tuple[Track, ...] | None:
+def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[Track, ...] | None:
     """Tracks of all that is kept, comes and goes."""
+    kept, found = looked.items, looked.snapped
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
     chords = chords_of([*found.first, *found.second])
     holes = _loose_holes(counts, found)

@@ -1,7 +1,7 @@
 """How the pieces that only one of two areas has come and go beside what both have."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -54,6 +54,9 @@ LARGE = 0.15
 #: free at its ends; edges that move leave pieces free along all their length.
 GAP = 0.8
 
+#: Least ratio of what a piece touches and what is free of it, for it to be a notch.
+NOTCH = 2.0
+
 #: Least ratio of the distance between the ends of what a piece stands on and its length.
 STRAIGHT = 0.95
 
@@ -79,19 +82,32 @@ class Bar:
         Direction in which it is drawn, of length 1: downwards, or to the right.
     half : float
         Half its width.
+    length : float
+    comes : bool
+        Whether the second area has it.
     """
 
     centre: Points
     ahead: Points
     half: float
+    length: float
+    comes: bool
 
     def holds(self, points: Points) -> bool:
         """Whether all points (N, 2) lie beside it."""
         aside = np.abs(cross(points - self.centre, self.ahead))
-        return bool(aside.max() <= BESIDE * self.half)
+        along = np.abs((points - self.centre) @ self.ahead)
+        reach = BESIDE * self.half
+        return bool(aside.max() <= reach and along.max() <= self.length / 2 + reach)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Where it starts and ends along its direction."""
+        middle = float(self.centre @ self.ahead)
+        return middle - self.length / 2, middle + self.length / 2
 
 
-def bar_of(area: "shapely.Geometry", slender: float = SLENDER) -> Bar | None:
+def bar_of(area: "shapely.Geometry", comes: bool = True, slender: float = SLENDER) -> Bar | None:
     """The bar that an area is, at least so many times longer than wide; None of others."""
     import shapely
 
@@ -107,7 +123,8 @@ def bar_of(area: "shapely.Geometry", slender: float = SLENDER) -> Bar | None:
     level = abs(ahead[1]) < 1e-6
     if (ahead[0] if level else ahead[1]) < 0:
         ahead = -ahead
-    return Bar(corners[:4].mean(axis=0), ahead, float(lengths[1 - long] / 2))
+    middle, half = corners[:4].mean(axis=0), float(lengths[1 - long] / 2)
+    return Bar(middle, ahead, half, float(lengths[long]), comes)
 
 
 def tracks_of_pieces(
@@ -141,17 +158,14 @@ def tracks_of_pieces(
     for piece in laid.pieces:
         closed = piece.free.length < OPEN * piece.area.length and not len(piece.area.interiors)
         (holes if closed else others).append(piece)
-    bars = bars or _common_bar(others)
-    groups: list[list[Piece]] = [[] for _ in bars]
-    rest: list[Piece] = []
-    for piece in others:
-        points = shapely.get_coordinates(piece.area)
-        beside = [k for k, bar in enumerate(bars) if bar.holds(points)]
-        (groups[beside[0]] if beside else rest).append(piece)
+    groups, rest = _beside(others, bars)
+    if not any(groups):
+        bars = _common_bar(others)
+        groups, rest = _beside(others, bars)
     openings = [_opening(piece, laid) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
     large = max(areas) > LARGE * laid.kept.area
-    if large and not bars and not all(_stands(piece, laid) for piece in rest):
+    if large and not any(groups) and not all(_stands(piece, laid) for piece in rest):
         outlines = outline_tracks(first, second, laid.snapped.stretches, reach)
         if outlines is not None:
             return (*outlines, *openings)
@@ -166,6 +180,19 @@ def tracks_of_pieces(
     return (*tracks, *openings)
 
 
+def _beside(pieces: Sequence[Piece], bars: Sequence[Bar]) -> tuple[list[list[Piece]], list[Piece]]:
+    """Pieces that lie beside each bar, and the others."""
+    import shapely
+
+    groups: list[list[Piece]] = [[] for _ in bars]
+    rest: list[Piece] = []
+    for piece in pieces:
+        points = shapely.get_coordinates(piece.area)
+        found = [k for k, bar in enumerate(bars) if bar.holds(points)]
+        (groups[found[0]] if found else rest).append(piece)
+    return groups, rest
+
+
 def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
     """Whether what comes and goes lies along edges that move, rather than being parts by itself."""
     import shapely
@@ -176,7 +203,8 @@ def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
         ends = shapely.get_coordinates(shapely.line_merge(piece.contact).boundary)
         across = float(np.hypot(*(ends[-1] - ends[0]))) if len(ends) == 2 else np.inf
         bent = across < STRAIGHT * piece.contact.length < STRAIGHT * piece.free.length
-        if bent or piece.area.area < FLAT * piece.contact.length**2:
+        notch = piece.contact.length > NOTCH * piece.free.length
+        if bent or (piece.area.area < FLAT * piece.contact.length**2 and not notch):
             return True
     come, go = ([p.area for p in rest if p.comes == comes] for comes in (True, False))
     return bool(
@@ -195,9 +223,16 @@ def _common_bar(pieces: Sequence[Piece]) -> list[Bar]:
     ]
     if len(ratios) < 2 or min(ratios) > GAP:
         return []
-    together = shapely.union_all([piece.area for piece in pieces]).convex_hull
-    bar = bar_of(together)
-    return [] if bar is None else [bar]
+    together = shapely.union_all([piece.area for piece in pieces])
+    bar = bar_of(together.convex_hull)
+    if bar is None:
+        return []
+    # Which of the areas has it: what reaches farthest.
+    far = [
+        float(np.abs((shapely.get_coordinates(p.area) - bar.centre) @ bar.ahead).max())
+        for p in pieces
+    ]
+    return [replace(bar, comes=pieces[int(comparable(far).argmax())].comes)]
 
 
 def _blend(source: Curves, target: Curves) -> Blend:
@@ -211,22 +246,16 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
     if not group:
         return []
     places = np.concatenate([shapely.get_coordinates(p.area) for p in group]) @ bar.ahead
-    low, high = float(places.min()), float(places.max())
-    # Which of the areas has the bar: it is what reaches farthest.
-    reach = {p.comes: 0.0 for p in group}
-    for piece in group:
-        own = shapely.get_coordinates(piece.area) @ bar.ahead
-        reach[piece.comes] = max(reach[piece.comes], abs(own - low).max(), abs(own - high).max())
-    drawn = reach.get(True, 0.0) >= reach.get(False, 0.0)
-    ends = (low, high) if drawn else (high, low)
-    return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == drawn) for p in group]
+    low, high = min(bar.ends[0], float(places.min())), max(bar.ends[1], float(places.max()))
+    ends = (low, high) if bar.comes else (high, low)
+    return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == bar.comes) for p in group]
 
 
 def _opening(piece: Piece, laid: Overlay) -> Track:
     """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn."""
     (ring,) = laid.rings_of(piece)
     void = ring.reversed().curves
-    bar = bar_of(piece.area, SLOT)
+    bar = bar_of(piece.area, slender=SLOT)
     if bar is None:
         return Opening(_blend(void, void), piece.comes)
     places = void @ bar.ahead

@@ -234,6 +234,8 @@ def _stretch(
     there = own[run.ring]
     whole = run.other[-1] - run.other[0] >= 1.0 - 1e-9
     low, high = (_at_joint(float(run.own[k]), there, reach) for k in (0, -1))
+    turn = float(np.floor(low))
+    low, high = low - turn, high - turn
     if whole:
         high = low + 1.0
     length = (high - low) * there.length
@@ -241,7 +243,7 @@ def _stretch(
         return None
     start, end = float(run.other[0]), float(run.other[-1])
     inner = [Places(run_of(p, *ends)) for p, ends in ((there, (low, high)), (places, (start, end)))]
-    u = np.clip((run.own - low) / (high - low), 0.0, 1.0)
+    u = np.clip((run.own - turn - low) / (high - low), 0.0, 1.0)
     v = (run.other - start) / (end - start)
     knots = _joints_alike(inner[0].joints[1:-1], inner[1].joints[1:-1], u, v, reach / length)
     pieces = cut_alike(inner[0], inner[1], *knots)
@@ -331,7 +333,8 @@ def _assembled(places: Places, runs: list[tuple[tuple[float, float], Curves]]) -
         start += 1.0 if k + 1 == len(runs) else 0.0
         parts.append(curves)
         if start - end > 1e-7:
-            between = run_of(places, end, start).curves.copy()
+            low = end % 1.0
+            between = run_of(places, low, low + start - end).curves.copy()
             for at, near, goal in ((0, 1, curves[-1, 3]), (3, 2, following[0, 0])):
                 last = -1 if at else 0
                 between[last, near] += goal - between[last, at]
