@@ -45,6 +45,7 @@ def drawn(frame: Drawing) -> shapely.Geometry:
     for shape in frame.shapes:
         if shape.style.opacity > 0.05:
             lines = [np.append(flatten(r.curves, 24), r.curves[-1:, 3], 0) for r in shape.rings]
+            lines = [line for line in lines if np.ptp(line, axis=0).max() > 1e-6]
             seen.append(filled_area(lines, shape.style.fill_rule))
     return shapely.union_all(seen)
 
@@ -317,3 +318,14 @@ def test_a_slash_through_several_parts_opens_all_of_them_in_time() -> None:
         if t >= 0.5:
             opened = parts[0].difference(shapely.union_all([*after, SLASH])).buffer(-0.1)
             assert area.intersection(opened).area < 0.01
+
+
+def test_a_tick_that_is_knocked_out_closes_before_a_cross_opens_in_its_place() -> None:
+    tick = shapely.LineString([(38, 50), (47, 60), (64, 38)]).buffer(3)
+    cross = shapely.MultiLineString([[(38, 38), (62, 62)], [(62, 38), (38, 62)]]).buffer(3)
+    found = frames(path(BOX.difference(tick)), path(BOX.difference(cross)))
+    for t, area in zip(T, found, strict=True):
+        void = BOX.buffer(-1).difference(area)
+        seen = tick if t < 0.5 else cross
+        assert void.difference(seen.convex_hull.buffer(0.1)).area < 0.01
+        assert (void.area > 1) == (t != 0.5)

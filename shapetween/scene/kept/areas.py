@@ -4,21 +4,27 @@ A lid that opens in a box, a badge on a bell, the slash through an eye: a person
 which something is done. So the outlines are not matched as wholes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from shapetween.base.arrays import Points
 from shapetween.boolean.chords import chords_of
 from shapetween.model.outline import Outline
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
-from shapetween.scene.kept.changes import Bar, bar_of, tracks_of_pieces
+from shapetween.scene.kept.bars import Bar, bar_of
+from shapetween.scene.kept.changes import tracks_of_pieces
 from shapetween.scene.kept.pieces import areas_of, overlay
 from shapetween.scene.kept.stretches import Snapped, snapped
-from shapetween.scene.kept.voids import paired_voids, void_track
+from shapetween.scene.kept.voids import lone_void, paired_voids, void_track
+from shapetween.scene.kept.wipes import InTurn
 from shapetween.scene.motion.tracks import Track
+
+if TYPE_CHECKING:
+    import shapely
 
 __all__ = ["Kept", "KeptArea", "kept_areas"]
 
@@ -37,6 +43,9 @@ BODY = 0.08
 
 #: Least share of all outlines that is common, of either drawing.
 SHARED = 0.5
+
+#: Share of a hole that may lie outside of what the other drawing fills, for it to close.
+STRAY = 0.02
 
 #: Most areas of a drawing, and most curves of those of one colour, that are looked at; more take
 #: longer than it is worth.
@@ -238,16 +247,46 @@ def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[Track, 
     loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
     pairs = paired_voids(*loose, solid, scale)
     paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
-    laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
-    if not laid.pieces and not pairs:
-        return None
     voids = [void_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
+    for side, k in _in_turn(holes, paired, chords.polylines, solid):
+        paired.add(k)
+        ring = loose[side][holes[side].index(k)]
+        voids.append(InTurn(lone_void(ring, closes=side == 0), first=side == 0))
+    laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
+    if not laid.pieces and not voids:
+        return None
     bound = [
         {k: ring for k, ring in enumerate(side) if k + first not in {*holes[0], *holes[1]}}
         for first, side in ((0, rings[0]), (count, rings[1]))
     ]
     moved = tracks_of_pieces(laid, bars, bound[0], bound[1], REACH * scale)
     return None if moved is None else (*moved, *voids)
+
+
+def _in_turn(
+    holes: tuple[list[int], list[int]],
+    paired: Collection[int],
+    polylines: Sequence[Points],
+    solid: tuple["shapely.Geometry", "shapely.Geometry"],
+) -> list[tuple[int, int]]:
+    """Holes without partners that lie on those of the other area: one closes, then one opens.
+
+    Returns
+    -------
+    list of (int, int)
+        Which area's, and its number among all rings.
+    """
+    import shapely
+
+    free = [[k for k in side if k not in paired] for side in holes]
+    areas = [[shapely.Polygon(polylines[k]) for k in side] for side in free]
+    found: list[tuple[int, int]] = []
+    for side in (0, 1):
+        for k, area in zip(free[side], areas[side], strict=True):
+            inside = area.difference(solid[1 - side]).area <= STRAY * area.area
+            if inside and any(area.intersects(other) for other in areas[1 - side]):
+                found.append((side, k))
+    return found
 
 
 def _loose_holes(

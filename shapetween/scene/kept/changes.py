@@ -1,33 +1,26 @@
 """How the pieces that only one of two areas has come and go beside what both have."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapetween.base.arrays import Curves, Points
 from shapetween.base.ranking import comparable
-from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
+from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
-from shapetween.scene.kept.wipes import Slot, Telescoped, Wiped
-from shapetween.scene.motion.holes import Opening
+from shapetween.scene.kept.voids import lone_void
+from shapetween.scene.kept.wipes import Telescoped, Wiped
 from shapetween.scene.motion.tracks import Blend, Track
 from shapetween.scene.places import Pieces
 
 if TYPE_CHECKING:
-    import shapely
+    pass
 
-__all__ = ["Bar", "bar_of", "tracks_of_pieces"]
-
-#: Least ratio of the sides of a bar, and share of its rectangle that it fills.
-SLENDER, FILLED = 4.0, 0.75
-
-#: How far from a bar's middle line a piece may reach to be wiped with it, in halves of its width:
-#: the gaps beside a slash are up to as wide as the slash.
-BESIDE = 3.2
+__all__ = ["tracks_of_pieces"]
 
 #: Least share of a piece's border that is free for it to be open to the outside.
 OPEN = 0.02
@@ -67,65 +60,6 @@ FLAT = 0.15
 #: Most pieces besides holes and what lies beside bars.
 MOST_PIECES = 6
 
-#: Least ratio of the sides of a hole that is drawn as a bar.
-SLOT = 2.2
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Bar:
-    """A straight bar.
-
-    Attributes
-    ----------
-    centre : (2,) float64
-    ahead : (2,) float64
-        Direction in which it is drawn, of length 1: downwards, or to the right.
-    half : float
-        Half its width.
-    length : float
-    comes : bool
-        Whether the second area has it.
-    """
-
-    centre: Points
-    ahead: Points
-    half: float
-    length: float
-    comes: bool
-
-    def holds(self, points: Points) -> bool:
-        """Whether all points (N, 2) lie beside it."""
-        aside = np.abs(cross(points - self.centre, self.ahead))
-        along = np.abs((points - self.centre) @ self.ahead)
-        reach = BESIDE * self.half
-        return bool(aside.max() <= reach and along.max() <= self.length / 2 + reach)
-
-    @property
-    def ends(self) -> tuple[float, float]:
-        """Where it starts and ends along its direction."""
-        middle = float(self.centre @ self.ahead)
-        return middle - self.length / 2, middle + self.length / 2
-
-
-def bar_of(area: "shapely.Geometry", comes: bool = True, slender: float = SLENDER) -> Bar | None:
-    """The bar that an area is, at least so many times longer than wide; None of others."""
-    import shapely
-
-    corners = shapely.get_coordinates(area.minimum_rotated_rectangle)
-    if len(corners) < 5:
-        return None
-    sides = np.diff(corners[:3], axis=0)
-    lengths = np.linalg.norm(sides, axis=1)
-    long = int(comparable(lengths).argmax())
-    if lengths[long] < slender * lengths[1 - long] or area.area < FILLED * lengths.prod():
-        return None
-    ahead = sides[long] / lengths[long]
-    level = abs(ahead[1]) < 1e-6
-    if (ahead[0] if level else ahead[1]) < 0:
-        ahead = -ahead
-    middle, half = corners[:4].mean(axis=0), float(lengths[1 - long] / 2)
-    return Bar(middle, ahead, half, float(lengths[long]), comes)
-
 
 def tracks_of_pieces(
     laid: Overlay,
@@ -162,7 +96,7 @@ def tracks_of_pieces(
     if not any(groups):
         bars = _common_bar(others)
         groups, rest = _beside(others, bars)
-    openings = [_opening(piece, laid) for piece in holes]
+    openings = [lone_void(laid.rings_of(piece)[0], piece.comes) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
     large = max(areas) > LARGE * laid.kept.area
     if large and not any(groups) and not all(_stands(piece, laid) for piece in rest):
@@ -249,19 +183,6 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
     low, high = min(bar.ends[0], float(places.min())), max(bar.ends[1], float(places.max()))
     ends = (low, high) if bar.comes else (high, low)
     return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == bar.comes) for p in group]
-
-
-def _opening(piece: Piece, laid: Overlay) -> Track:
-    """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn."""
-    (ring,) = laid.rings_of(piece)
-    void = ring.reversed().curves
-    bar = bar_of(piece.area, slender=SLOT)
-    if bar is None:
-        return Opening(_blend(void, void), piece.comes)
-    places = void @ bar.ahead
-    low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
-    first = void - np.clip(places - low, 0.0, high - low)[..., None] * bar.ahead
-    return Slot(first, void, piece.comes)
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> Track:

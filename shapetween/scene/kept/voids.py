@@ -12,10 +12,12 @@ from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
-from shapetween.scene.kept.wipes import Against
+from shapetween.scene.kept.bars import bar_of
+from shapetween.scene.kept.wipes import Against, Slot
 from shapetween.scene.motion.choose import Ends, open_track
-from shapetween.scene.motion.holes import matched_holes
+from shapetween.scene.motion.holes import Opening, matched_holes
 from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.places import Pieces
 from shapetween.scene.relations import in_common, pictures
 from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 from shapetween.scene.strokes import as_painted, line_of
@@ -23,7 +25,7 @@ from shapetween.scene.strokes import as_painted, line_of
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["paired_voids", "void_track"]
+__all__ = ["lone_void", "paired_voids", "void_track"]
 
 #: Greatest distance of two holes that become each other, as a share of the drawing; what a factor
 #: e in size counts beside it; and the greatest such factor.
@@ -37,6 +39,9 @@ ALIKE = 0.6
 
 #: Distance from its mirror image, as a share of its size, of a line that is its own.
 SYMMETRIC = 0.02
+
+#: Least ratio of the sides of a hole that is drawn as a bar.
+SLOT = 2.2
 
 #: What a hole is seen as by itself.
 _INK = Style(fill=Colour())
@@ -120,6 +125,25 @@ def void_track(first: Outline, second: Outline, scale: float) -> Track:
         track = Blend(pieces, np.stack([one.centre, other.centre]))
     start = track.curves(np.zeros(1))[0]
     return Against(track) if signed_area(start) > 0 else track
+
+
+def lone_void(ring: Outline, closes: bool) -> Track:
+    """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn.
+
+    Parameters
+    ----------
+    ring : Outline
+    closes : bool
+    """
+    void = ring.clockwise().reversed().curves
+    area = Item((ring.clockwise(),), _INK).enclosed
+    bar = bar_of(area, slender=SLOT)
+    if bar is None:
+        return Opening(Blend(Pieces(void, void, True), np.stack([void[0, 0]] * 2)), closes)
+    places = void @ bar.ahead
+    low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
+    begun = void - np.clip(places - low, 0.0, high - low)[..., None] * bar.ahead
+    return Slot(begun, void, closes)
 
 
 def _as_stroke(one: Item, other: Item, scale: float) -> Track | None:

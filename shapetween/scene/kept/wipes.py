@@ -12,7 +12,7 @@ from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import Meshless, Track
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "Slot", "Telescoped", "Wiped"]
+__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped"]
 
 #: Share of the time that a slot opens in, in which it opens round at its end. Longer, and there is
 #: a speck for long.
@@ -238,6 +238,34 @@ class Telescoped(Meshless):
         sunk = ((1 - t) if self.comes else t)[:, None, None] * self.height
         room = np.maximum(whole @ self.ahead - self.foot, 0.0)
         return np.asarray(whole - np.minimum(sunk, room)[..., None] * self.ahead)
+
+
+@dataclass(frozen=True, eq=False)
+class InTurn(Meshless):
+    """A track that runs in the first or the second half of the time.
+
+    Attributes
+    ----------
+    track : Track
+    first : bool
+    """
+
+    track: Track
+    first: bool
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """As the track's."""
+        return self.track.counts
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """As the track's."""
+        return self.track.closed
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        return self.track.curves(np.clip(2 * t if self.first else 2 * t - 1, 0.0, 1.0))
 
 
 @dataclass(frozen=True, eq=False)

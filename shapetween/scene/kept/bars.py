@@ -1,0 +1,78 @@
+"""Straight bars, such as a slash through an icon."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapetween.base.arrays import Points
+from shapetween.base.ranking import comparable
+from shapetween.geometry.polygon import cross
+
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Bar", "bar_of"]
+
+#: Least ratio of the sides of a bar, and share of its rectangle that it fills.
+SLENDER, FILLED = 4.0, 0.75
+
+#: How far from a bar's middle line a piece may reach to be wiped with it, in halves of its width:
+#: the gaps beside a slash are up to as wide as the slash.
+BESIDE = 3.2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bar:
+    """A straight bar.
+
+    Attributes
+    ----------
+    centre : (2,) float64
+    ahead : (2,) float64
+        Direction in which it is drawn, of length 1: downwards, or to the right.
+    half : float
+        Half its width.
+    length : float
+    comes : bool
+        Whether the second area has it.
+    """
+
+    centre: Points
+    ahead: Points
+    half: float
+    length: float
+    comes: bool
+
+    def holds(self, points: Points) -> bool:
+        """Whether all points (N, 2) lie beside it."""
+        aside = np.abs(cross(points - self.centre, self.ahead))
+        along = np.abs((points - self.centre) @ self.ahead)
+        reach = BESIDE * self.half
+        return bool(aside.max() <= reach and along.max() <= self.length / 2 + reach)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Where it starts and ends along its direction."""
+        middle = float(self.centre @ self.ahead)
+        return middle - self.length / 2, middle + self.length / 2
+
+
+def bar_of(area: "shapely.Geometry", comes: bool = True, slender: float = SLENDER) -> Bar | None:
+    """The bar that an area is, at least so many times longer than wide; None of others."""
+    import shapely
+
+    corners = shapely.get_coordinates(area.minimum_rotated_rectangle)
+    if len(corners) < 5:
+        return None
+    sides = np.diff(corners[:3], axis=0)
+    lengths = np.linalg.norm(sides, axis=1)
+    long = int(comparable(lengths).argmax())
+    if lengths[long] < slender * lengths[1 - long] or area.area < FILLED * lengths.prod():
+        return None
+    ahead = sides[long] / lengths[long]
+    level = abs(ahead[1]) < 1e-6
+    if (ahead[0] if level else ahead[1]) < 0:
+        ahead = -ahead
+    middle, half = corners[:4].mean(axis=0), float(lengths[1 - long] / 2)
+    return Bar(middle, ahead, half, float(lengths[long]), comes)
