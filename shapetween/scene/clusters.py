@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.base.arrays import Points
+from shapetween.base.arrays import Index, Points
 from shapetween.scene.forms import OpenLine, Segment
 from shapetween.scene.motion.tracks import Track
 from shapetween.scene.relations import Scene
@@ -69,13 +69,9 @@ def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster
             k = own[k]
         return k
 
-    for at, k in enumerate(lone):
-        for j in lone[at + 1 :]:
-            inside = scene.parents[k] == j or scene.parents[j] == k
-            along = scene.outlined[k] == j or scene.outlined[j] == k
-            if inside or along or (scene.touching[k, j] and around[k] == around[j]):
-                one, other = sorted((first(k), first(j)))
-                own[other] = one
+    for k, j in _together(np.array(lone, dtype=np.intp), around, scene):
+        one, other = sorted((first(k), first(j)))
+        own[other] = one
     groups: dict[int, list[int]] = {}
     for k in lone:
         groups.setdefault(first(k), []).append(k)
@@ -83,6 +79,16 @@ def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster
         Cluster(tuple(members), around[key], all(is_line(k, scene) for k in members))
         for key, members in groups.items()
     ]
+
+
+def _together(lone: Index, around: Mapping[int, int | None], scene: Scene) -> list[tuple[int, int]]:
+    """Pairs of items that touch within one thing that stays, or one of which is the other's."""
+    inside = np.array([-1 if around[k] is None else around[k] for k in lone.tolist()])
+    both = scene.touching[np.ix_(lone, lone)] & (inside[:, None] == inside)
+    for of in (scene.parents[lone], scene.outlined[lone]):
+        both |= of[:, None] == lone
+    found = np.argwhere(np.triu(both | both.T, 1))
+    return [(int(k), int(j)) for k, j in lone[found].tolist()]
 
 
 def contact(members: Sequence[int], host: int, scene: Scene, inside: bool) -> tuple[Points, float]:

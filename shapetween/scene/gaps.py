@@ -16,7 +16,7 @@ __all__ = ["timed_gaps"]
 AHEAD = 0.75
 
 #: How much sooner a gap begins to open than what comes into it grows, and how long it takes.
-SOONER, TAKES = 0.1, 0.4
+SOONER, TAKES = 0.2, 0.4
 
 
 def timed_gaps(
@@ -48,10 +48,8 @@ def timed_gaps(
             continue
         middle = Places(item.outer).point(np.array([0.5]))
         spot = shapely.Point(middle[0])
-        j = min(
-            crossing,
-            key=lambda j: (round(shapely.distance(other.scene.items[j].drawn, spot), 9), j),
-        )
+        near = {j: shapely.distance(other.scene.items[j].drawn, spot) for j in crossing}
+        j = min(near, key=lambda j: (round(near[j] / other.scene.scale, 9), j))
         found[k] = _with(k, going, j, side, other, theirs[j])
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -17,13 +18,21 @@ __all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
 
 #: When what has no partner goes, and when it comes. Leavers go early and newcomers come late, but
 #: they overlap: apart, the middle is empty; much more together, and both are seen at once.
-GOES, COMES = (0.0, 0.5), (0.4, 1.0)
+GOES, COMES = (0.0, 0.46), (0.37, 1.0)
+
+#: The same where nothing stays, and a middle with neither of the two would be blank; where little
+#: stays, between the two.
+ALL_GO, ALL_COME = (0.0, 0.5), (0.36, 1.0)
 
 #: Share of its time by which each piece of a composed line waits for the one that it hangs on.
 WAITS = 0.35
 
 #: Distance from a loose part, as a share of the drawing, of what carries it along.
 BESIDE = 0.15
+
+#: Least ratio of sizes at which a thing carries what is loose beside it. At 1 equal things of a
+#: list carry each other about; larger, and a sun leaves its rays behind.
+BIGGER = 1.5
 
 #: Share of a line's length by which one of its ends must be nearer than the other to count so.
 NEARER = 0.4
@@ -47,7 +56,7 @@ class Going:
     cut: float = 0.5
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Side:
     """One drawing, what stays of it, and whether the rest comes instead of going.
 
@@ -66,10 +75,17 @@ class Side:
     arrives: bool
     gaps: tuple[Item, ...] = ()
 
-    @property
+    @cached_property
     def window(self) -> tuple[float, float]:
-        """When what has no partner goes or comes."""
-        return COMES if self.arrives else GOES
+        """When what has no partner goes or comes, by how much of the drawing stays."""
+        areas = np.array([item.area for item in self.scene.items])
+        areas[self.scene.sheets] = 0.0
+        whole = float(areas.sum())
+        stays = float(areas[list(self.hosts)].sum()) / whole if whole > 0 else 1.0
+        some, none = (COMES, ALL_COME) if self.arrives else (GOES, ALL_GO)
+        gone = (1 - stays) ** 2  # a part or two that go do not count
+        low, high = ((1 - gone) * a + gone * b for a, b in zip(some, none, strict=True))
+        return low, high
 
     def carry(
         self, host: int | None, place: Points, how: Literal["in", "at", "beside"]
@@ -101,7 +117,7 @@ def nearest_beside(members: Sequence[int], side: Side) -> int | None:
     import shapely
 
     scene = side.scene
-    least = max(scene.sizes[k] for k in members)
+    least = BIGGER * max(scene.sizes[k] for k in members)
     hosts = [
         j
         for j in side.hosts

@@ -101,8 +101,10 @@ def _by_itself(k: int, side: Side) -> Going | None:
     if scene.sheets[k]:
         return Going(Leaving((0.0, 1.0), fades=True))
     host = int(scene.outlined[k])
-    if host in side.hosts:
-        return Going(Leaving(side.window, fades=True), side.carry(host, item.centre, "at"))
+    if host in side.hosts and item.closed:
+        thins = item.painted is None  # else it has no stroke
+        leaving = Leaving(side.window, thins=thins, fades=not thins)
+        return Going(leaving, side.carry(host, item.centre, "in"))
     if item.cut and not item.filled:
         return gap_going(k, side)
     parent = staying_parent(k, scene, side.hosts)
@@ -140,7 +142,7 @@ def _shrinks_to(
     ]
     if touched:
         found = {j: contact(members, j, scene, inside=False) for j in touched}
-        host = max(touched, key=lambda j: (round(found[j][1], 9), -j))
+        host = max(touched, key=lambda j: (round(found[j][1] / scene.scale, 9), -j))
         if _behind(members, host, scene):
             return scene.items[host].centre, host, "in"
         return found[host][0], host, "at"
@@ -154,7 +156,7 @@ def _shrinks_to(
 
 def _middle(members: Sequence[int], scene: Scene) -> Points:
     """The middle of the one that is around the others, else of the box of all."""
-    largest = max(members, key=lambda k: (round(float(scene.sizes[k]), 9), -k))
+    largest = max(members, key=lambda k: (round(float(scene.sizes[k]) / scene.scale, 9), -k))
     box = scene.items[largest].box
     boxes = np.array([scene.items[k].box for k in members])
     slack = 0.02 * scene.scale

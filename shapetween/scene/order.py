@@ -15,6 +15,10 @@ from shapetween.scene.relations import Scene
 
 __all__ = ["Layer", "layers_of"]
 
+#: When what must pass another thing is seen to: soon after it has begun, or both are seen through
+#: each other; not at once, or it jumps.
+PASSES = (0.44, 0.56)
+
 
 @dataclass(frozen=True, slots=True)
 class Layer:
@@ -98,5 +102,6 @@ def _heaviest(values: Sequence[int], weights: Sequence[float]) -> list[int]:
 
 def share_shown(layer: Layer, t: float) -> float:
     """How much of a layer is seen at one time."""
-    late = float(smooth_step(np.array([(t - 0.3) / 0.4]))[0])
+    low, high = PASSES
+    late = float(smooth_step(np.array([(t - low) / (high - low)]))[0])
     return late if layer.shown == "last" else 1 - late

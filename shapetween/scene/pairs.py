@@ -19,6 +19,7 @@ from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import Ends, elastic, tracks_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.pinned import pinned_pieces
+from shapetween.scene.motion.seams import seamed_tracks
 from shapetween.scene.motion.tracks import Blend, Mirrored, Track
 from shapetween.scene.relations import Scene
 
@@ -66,8 +67,12 @@ def pair_tracks(
         pieces = pinned_pieces(ends.first, ends.second, settings.pins[list(pinned)])
         return (Blend(pieces, np.stack([ends.first.centre, ends.second.centre])),), ()
     axis = _mirror(role.first, role.second, a, b, roles)
-    if axis is None:
+
+    def tracks(ends: Ends) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
         return tracks_of(ends, settings, names)
+
+    if axis is None:
+        return seamed_tracks(ends, tracks) or tracks(ends)
     flips, places = axis
     image = replace(
         ends,
@@ -75,7 +80,7 @@ def pair_tracks(
         second=_mirrored(ends.second, flips, places[1]),
     )
     image = replace(image, forms=(form_of(image.first), form_of(image.second)))
-    found, said = tracks_of(image, settings, names)
+    found, said = seamed_tracks(image, tracks) or tracks(image)
     return tuple(Mirrored(track, flips, places) for track in found), said
 
 
@@ -138,12 +143,16 @@ def _ends(first: int, second: int, a: Scene, b: Scene) -> Ends:
 
 
 def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
-    """Two items as they become each other: an open line beside an area is its outline."""
+    """Two items as they become each other.
+
+    An open line beside an area is the area that its stroke covers, and so is a closed one beside
+    an area with holes, which is the frame that it looks like.
+    """
     if first.filled == second.filled:
         return first, second
-    if not first.filled and not first.closed:
+    if not first.filled and (not first.closed or second.holes):
         return _outline_of(first), second
-    if not second.filled and not second.closed:
+    if not second.filled and (not second.closed or first.holes):
         return first, _outline_of(second)
     return first, second
 
@@ -152,7 +161,7 @@ def _outline_of(line: Item) -> Item:
     """The area that a line's stroke covers."""
     if line.painted is not None:
         area = line.painted.rings
-        return Item(area[:1], line.painted.style, line.shape, line.name)
+        return Item(area if line.closed else area[:1], line.painted.style, line.shape, line.name)
     shape = outlined(Shape(line.rings, line.style, line.name))
     regions, _ = regions_of(shape, line.name)
     return Item((regions[0].outer, *regions[0].holes), shape.style, line.shape, line.name)

@@ -31,9 +31,9 @@ NEAR = 0.02
 #: of lines are seen; at 1, round caps vanish at once.
 LAST = 0.96
 
-#: Powers of time by which parts shrink and lines are retracted: slowly at first, or what comes is a
-#: speck too long.
-SHRINKS, RETRACTS = 3, 2
+#: Powers of time by which parts shrink and lines are retracted. At 1 what comes is a speck too
+#: long; much larger, and it snaps into place.
+SHRINKS, RETRACTS = 2.4, 2.0
 
 #: Share of a line's length that lines without any length are given, for their direction. Larger and
 #: they are seen; smaller and their direction is lost in rounding.
@@ -129,6 +129,8 @@ class Leaving:
         that is cut in two and goes into both its ends.
     fades : bool
         Whether it fades all the time; else only at last, where it is retracted.
+    thins : bool
+        Whether its stroke gets thin where it is.
     steady : bool
         Whether it goes evenly; else ever faster, and what comes does ever slower.
     """
@@ -137,6 +139,7 @@ class Leaving:
     place: Points | None = None
     kept: float | tuple[float, float] | None = None
     fades: bool = False
+    thins: bool = False
     steady: bool = False
 
     def gone(self, t: Floats, arrives: bool) -> Floats:
@@ -235,7 +238,8 @@ class LonePart:
             seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
         else:
             seen = float(gone < 1)
-        if self.leaving.place is not None and style.stroke is not None and gone < 1:
+        smaller = self.leaving.place is not None or self.leaving.thins
+        if smaller and style.stroke is not None and gone < 1:
             style = replace(style, stroke=_thinned(style.stroke, 1 - gone))
         if has_gradient(style):
             curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)

@@ -21,8 +21,15 @@ __all__ = ["first_end", "gap_going", "retracted_lines"]
 #: slash would fly over the drawing.
 LONG, LONGEST, LONGER = 0.25, 0.55, 0.35
 
+#: Share of its length by which a slash goes to the side, and up or down: bars of menus do not.
+SLANTED = 0.2
+
 #: Share of a line that lies between what stays, for it to be a slash.
 ACROSS = 0.5
+
+#: When a gap opens that nothing runs through; it closes when that is over. Shorter, and an opening
+#: lock snaps.
+ALONE = (0.05, 0.8)
 
 #: How near a line's end is to what it lies on, in widths.
 ON = 0.6
@@ -43,10 +50,11 @@ def gap_going(k: int, side: Side) -> Going:
             if (np.linalg.norm(theirs - ends[e], axis=1) <= reach).any():
                 found[e] = j
     carries = [side.carry(j, ends[e], "at") for e, j in enumerate(found)]
+    window = ALONE if not side.arrives else (1 - ALONE[1], 1 - ALONE[0])
     if all(carries):
-        return Going(Leaving(side.window, kept=BOTH), carries[0] + carries[1])
+        return Going(Leaving(window, kept=BOTH, steady=True), carries[0] + carries[1])
     kept = 0.5 if not any(carries) else float(not carries[0])
-    return Going(Leaving(side.window, kept=kept), carries[0] or carries[1])
+    return Going(Leaving(window, kept=kept, steady=True), carries[0] or carries[1])
 
 
 def retracted_lines(cluster: Cluster, side: Side) -> dict[int, Going] | None:
@@ -92,7 +100,7 @@ def _lies_on(k: int, others: Sequence[int], scene: Scene) -> tuple[int | None, i
     reach = ON * item.width - item.width / 2
     on: list[int | None] = [None, None]
     for j in others:
-        if not scene.touching[k, j]:
+        if not scene.touching[k, j] or j == scene.outlined[k]:
             continue
         near = shapely.distance(scene.items[j].drawn, ends) <= reach
         on = [j if found else before for before, found in zip(on, near, strict=True)]
@@ -149,7 +157,7 @@ def _line_alone(k: int, parent: int | None, side: Side) -> Going:
 
     A slash takes its time, as the gaps that it cuts open with it. A line across one that stays
     goes into where they cross. Any other is drawn from the end that is next to something, or as
-    one writes, from the left or from the foot; a single one on a mirror axis from its middle.
+    one writes, from the left or from the foot; on a mirror axis of all such from its middle.
     """
     scene, item = side.scene, side.scene.items[k]
     host = parent if parent is not None else nearest_beside((k,), side)
@@ -178,17 +186,22 @@ def _slashes(k: int, parent: int | None, side: Side) -> bool:
     stays = [side.scene.items[j].drawn for j in side.hosts if not side.scene.sheets[j]]
     if not stays or item.length < LONG * side.scene.scale:
         return False
-    line = shapely.LineString(item.outer.curves[[0, -1], [0, 3]])
+    ends = item.outer.curves[[0, -1], [0, 3]]
+    if np.abs(ends[1] - ends[0]).min() < SLANTED * item.length:
+        return False
+    line = shapely.LineString(ends)
     drawn = shapely.union_all(stays)
     within = shapely.intersection(line, shapely.convex_hull(drawn))
-    crossings = shapely.get_num_geometries(shapely.intersection(line, drawn))
-    return bool(within.length > ACROSS * line.length and crossings != 1)
+    crossed = shapely.intersection(line, drawn)
+    once = not crossed.is_empty and shapely.get_num_geometries(crossed) == 1
+    return bool(within.length > ACROSS * line.length and not once)
 
 
 def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
     """The share of a line that stays longest."""
     scene, item = side.scene, side.scene.items[k]
-    crossed = [j for j in side.hosts if scene.touching[k, j] and j != parent]
+    apart = (parent, int(scene.outlined[k]))
+    crossed = [j for j in side.hosts if scene.touching[k, j] and j not in apart]
     if crossed:
         return _touched(k, crossed, scene)
     ends = item.outer.curves[[0, -1], [0, 3]]
@@ -203,7 +216,7 @@ def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
         and is_line(j, scene)
         and scene.parents[j] == scene.parents[k]
     ]
-    if not others and any(axis.mates[k] == k for axis in scene.axes):
+    if any(all(axis.mates[j] == j for j in (k, *others)) for axis in scene.axes):
         return 0.5
     return first_end(ends)
 

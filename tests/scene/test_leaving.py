@@ -10,7 +10,9 @@ import shapetween as st
 from shapetween.base.arrays import Floats
 from shapetween.model.drawing import Shape
 from shapetween.model.movement import Part
+from shapetween.model.paint import Colour
 from shapetween.scene.asked import Change
+from shapetween.scene.presence import LonePart
 from tests.scene.test_faults import drawn, seen
 
 ICON = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
@@ -95,6 +97,20 @@ def test_a_sign_of_lines_grows_as_one_with_its_strokes(tmp_path: Path) -> None:
         np.testing.assert_allclose(box(part, 0.5).mean(axis=0), [12, 12], atol=1e-6)
 
 
+def test_the_outline_of_what_stays_gets_thin(tmp_path: Path) -> None:
+    style = 'fill="none" stroke="#840" stroke-width="2"'
+    rim = f'<circle cx="12" cy="12" r="10" {style}/>'
+    (part,) = lone(morph(tmp_path, FACE, FACE + rim), arrives=True)
+    widths = [part.style(t).stroke.width for t in (0.45, 0.6, 0.8, 1.0)]  # type: ignore[union-attr]
+    assert 0.2 < widths[0] < widths[1] < widths[2] < widths[3] == 2
+    assert set(opacities(part, np.linspace(0, 1, 21)).tolist()) == {0.0, 1.0}
+    # A line along a part of it is drawn.
+    roof = f'<path d="M4.93 4.93a10 10 0 0 1 14.14 0" {style}/>'
+    (part,) = lone(morph(tmp_path, FACE, FACE + roof), arrives=True)
+    assert part.style(0.7).opacity == 1
+    assert np.ptp(box(part, 0.7), axis=0)[0] < 0.95 * np.ptp(box(part, 1.0), axis=0)[0]
+
+
 def test_what_stands_at_an_edge_grows_out_of_it(tmp_path: Path) -> None:
     """An ear has its foot on the head all the time."""
     head = '<path d="M4 10h16v12h-16z" fill="#fc3"/>'
@@ -104,6 +120,58 @@ def test_what_stands_at_an_edge_grows_out_of_it(tmp_path: Path) -> None:
         low, high = box(part, t)
         assert high[1] >= 10 - 1e-6
         assert 5 <= low[0] <= high[0] <= 10
+
+
+def test_what_stands_at_the_border_it_lies_in_grows_out_of_that(tmp_path: Path) -> None:
+    """A door has its foot on the ground all the time, a window its middle where it is."""
+    house = '<path d="M2 4h20v18h-20z" fill="#fc3"/>'
+    door = '<path d="M5 14h4v8h-4z" fill="#840"/><path d="M13 8h5v5h-5z" fill="#840"/>'
+    parts = lone(morph(tmp_path, house, house + door), arrives=True)
+    for t in (0.5, 0.7):
+        boxes = sorted((box(part, t) for part in parts), key=lambda b: float(b[0, 0]))
+        np.testing.assert_allclose(boxes[0][1, 1], 22, atol=0.01)
+        np.testing.assert_allclose(boxes[1].mean(axis=0), [15.5, 10.5], atol=1e-6)
+
+
+def test_rays_that_are_boxes_grow_out_of_their_inner_ends(tmp_path: Path) -> None:
+    turns = range(0, 360, 45)
+    box_ = '<path transform="rotate({} 12 12)" d="M11.4 1h1.2v4h-1.2z"/>'
+    rays = "".join(box_.format(k) for k in turns)
+    sun = '<path d="M8 8h8v8h-8z"/><circle cx="12" cy="12" r="1" fill="#fff"/>'
+    sun = f'<circle cx="12" cy="12" r="5"/>{sun}'
+    parts = lone(morph(tmp_path, sun, sun + rays), arrives=True)
+    assert len(parts) == 8
+    for part in parts:
+        for t in (0.5, 0.7):
+            points = part.curves(np.array([t]))[0].reshape(-1, 2) - 12
+            assert np.hypot(*points.T).min() == pytest.approx(7, abs=0.05)
+
+
+def test_a_slash_between_what_it_parts_takes_its_time(tmp_path: Path) -> None:
+    halves = '<path d="M6 2h14v14z"/><path d="M2 6l14 14h-14z"/>'
+    slash = f'<path d="M2 2 22 22" {ICON}/>'
+    (part,) = lone(morph(tmp_path, halves, halves + slash), arrives=True)
+    lengths = [float(np.ptp(box(part, t), axis=0).max()) for t in (0.3, 0.5, 0.7, 0.9)]
+    assert part.style(0.3).opacity == 1
+    assert (np.diff(lengths) > 3).all()
+
+
+def test_a_gap_opens_before_what_grows_in_it(tmp_path: Path) -> None:
+    whole = '<path d="M2 12h20"/>'
+    cut = '<path d="M2 12h5"/><path d="M17 12h5"/><circle cx="12" cy="12" r="2"/>'
+    found = morph(tmp_path, whole, cut, ICON)
+    for t in np.linspace(0, 1, 41):
+        (frame,) = found.prepared.movement.at(np.array([t]))
+        pieces = [shape for shape in frame.shapes if shape.style.opacity > 0.05]
+        sign = [s for s in pieces if np.abs(ends_of(s) - 12).max() < 2.01]
+        lines = [s for s in pieces if all(s is not other for other in sign)]
+        if sign and t > 0.45:
+            both = (shapely.union_all([seen(s) for s in some]) for some in (sign, lines))
+            assert shapely.distance(*both) > 0.2
+
+
+def ends_of(shape: Shape) -> Floats:
+    return np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
 
 
 def test_what_hangs_on_a_line_that_comes_is_drawn_after_it(tmp_path: Path) -> None:
@@ -130,6 +198,15 @@ def test_leavers_are_early_newcomers_late_and_the_middle_is_not_empty(tmp_path: 
         assert any(p.style(float(t)).opacity == 1 for p in away + new)
 
 
+def test_where_nothing_stays_both_are_seen_for_a_while(tmp_path: Path) -> None:
+    """Bars give way to a disc, and the middle is never as good as blank."""
+    bars = '<path d="M4 20v-8"/><path d="M12 20v-16"/><path d="M20 20v-12"/>'
+    target = '<circle cx="12" cy="12" r="10"/><circle cx="12" cy="12" r="5"/>'
+    frames = morph(tmp_path, bars, target, ICON).prepared.movement.at(np.linspace(0, 1, 41))
+    areas = np.array([drawn(frame).area for frame in frames])
+    assert areas.min() > 0.4 * min(areas[0], areas[-1])
+
+
 def test_shade_melts_into_what_it_lies_on_and_shapes_do_not(tmp_path: Path) -> None:
     shade = '<path d="M12 2a10 10 0 0 1 0 20a12 12 0 0 0 0-20z" fill="#f5bd2c"/>'
     (part,) = lone(morph(tmp_path, FACE, FACE + shade), arrives=True)
@@ -154,6 +231,16 @@ def test_rays_keep_to_what_they_surround_all_alike(tmp_path: Path) -> None:
         assert np.ptp(radii.max(axis=1)) < 1e-3
 
 
+def test_equal_things_of_a_list_do_not_carry_each_other(tmp_path: Path) -> None:
+    """The third mark of a list goes to where its arrow is; the others go where they stand."""
+    marks = "".join(f'<path d="M2 {y}h5v5h-5z"/>' for y in (2, 9, 16))
+    parts = lone(morph(tmp_path, marks, '<path d="M15 15h7v6h-7z"/>'), arrives=False)
+    assert len(parts) == 2
+    for part in parts:
+        for t in (0.2, 0.4):
+            np.testing.assert_allclose(box(part, t).mean(axis=0), box(part, 0).mean(axis=0))
+
+
 def test_a_line_opens_as_the_slash_passes(tmp_path: Path) -> None:
     """The first gap is open and the second one still closed while the tip is between them."""
     bars = '<path d="M2 6h20"/><path d="M2 18h20"/>'
@@ -171,6 +258,9 @@ def test_a_line_opens_as_the_slash_passes(tmp_path: Path) -> None:
             closed = whole.intersects(shapely.Point(y, y))
             assert closed or reached > y - 4  # nothing is cut open for no reason
             assert not closed or reached < y + 4
+            beside = [whole.intersects(shapely.Point(y + way, y)) for way in (-0.8, 0.8)]
+            assert all(beside) or reached > y - 5
+            assert not any(beside) or reached < y + 5
     backwards = morph(tmp_path, cut + slash, bars, ICON)
     there, back = (
         shapely.union_all([seen(s) for s in m.prepared.movement.at(np.array([t]))[0].shapes])
@@ -218,3 +308,72 @@ def test_what_is_asked_for_is_done(tmp_path: Path, change: Change) -> None:
     # What is no line grows where it is to be drawn.
     (disc,) = lone(morph(tmp_path, FACE, FACE + dot, "", change), arrives=True)
     assert box(disc, 0.7)[1, 0] < 15 - 1e-3
+
+
+def test_one_closed_line_becomes_two_by_a_seam_drawn_across(tmp_path: Path) -> None:
+    """From play to pause no gap is seen in any outline but the seam's own, and that closes soon."""
+    play = '<path d="M5 3v18l15-9z"/>'
+    pause = '<rect x="4" y="3" width="5" height="18"/><rect x="14" y="3" width="5" height="18"/>'
+    there, back = morph(tmp_path, play, pause, ICON), morph(tmp_path, pause, play, ICON)
+    times = np.linspace(0, 1, 41)
+    for found, order in ((there, times), (back, times[::-1])):
+        for t, frame in zip(times, found.prepared.movement.at(order), strict=True):
+            whole = drawn(frame)
+            shapes = [whole] if whole.geom_type == "Polygon" else list(whole.geoms)
+            holes = [shapely.Polygon(hole) for shape in shapes for hole in shape.interiors]
+            cells = sum(hole.area > 12 for hole in holes)  # a slit between two seams is none
+            assert 1 <= cells <= 2
+            assert cells == 2 or t < 0.45
+            assert len(shapes) == 1 or t > 0.4
+    (first,) = there.prepared.movement.at(np.array([0.0]))
+    whole = shapely.LinearRing([(5, 3), (5, 21), (20, 12)]).buffer(1)
+    assert drawn(first).symmetric_difference(whole).area < 0.02 * whole.area
+
+
+def test_a_menus_middle_bar_goes_to_its_middle_and_soon(tmp_path: Path) -> None:
+    menu = '<path d="M4 5h16"/><path d="M4 12h16"/><path d="M4 19h16"/>'
+    cross = '<path d="M18 6 6 18"/><path d="m6 6 12 12"/>'
+    found = lone(morph(tmp_path, menu, cross, ICON), arrives=False)
+    (bar,) = (part for part in found if isinstance(part, LonePart))
+    for t in (0.1, 0.3, 0.4):
+        np.testing.assert_allclose(box(bar, t).mean(axis=0), [12, 12], atol=1e-6)
+    assert bar.style(0.5).opacity == 0
+
+
+@pytest.mark.parametrize("painted", [False, True])
+def test_a_ring_as_an_area_and_one_as_a_line_become_each_other_as_areas(
+    tmp_path: Path, painted: bool
+) -> None:
+    """A speech bubble's wall goes to a frame's without paling."""
+    bubble = (
+        '<path fill-rule="evenodd" d="M12 2c12 0 12 16 0 16l-6 4v-5c-7-4-5-15 6-15z'
+        'M12 4c8 0 8 12 0 12l-3 2v-2c-5-4-5-12 3-12z"/>'
+    )
+    frame = '<path fill="none" stroke="#000" stroke-width="2" d="M3 4h18v16h-18z"/>'
+    if painted:
+        frame = '<path fill-rule="evenodd" d="M2 3h20v18h-20zM4 5v14h16v-14z"/>'
+        frame += '<path d="M7 9h10v2h-10z"/>'
+    (wall,) = (
+        part
+        for part in morph(tmp_path, bubble, frame).prepared.movement.parts
+        if not isinstance(part, LonePart) and part.style(0.0).opacity == 1
+    )
+    for t in np.linspace(0, 1, 9):
+        style = wall.style(float(t))
+        assert isinstance(style.fill, Colour)
+        assert style.fill.alpha == 1
+        assert style.stroke is None
+    assert len(wall.rings) == 2
+
+
+def test_what_passes_another_is_seen_through_for_a_moment_only(tmp_path: Path) -> None:
+    red, blue = (
+        '<circle cx="9" cy="12" r="7" fill="#f00"/>',
+        '<path d="M9 5h13v14h-13z" fill="#00f"/>',
+    )
+    parts = morph(tmp_path, red + blue, blue + red).prepared.movement.parts
+    copies = [p for p in parts if p.style(0.0).opacity != p.style(1.0).opacity]
+    assert len(copies) == 1
+    for t in (0.1, 0.3, 0.43, 0.57, 0.8):
+        assert copies[0].style(t).opacity in (0.0, 1.0)
+    assert 0.1 < copies[0].style(0.5).opacity < 0.9
