@@ -11,6 +11,7 @@ Kind: TypeAlias = Literal[
     "outlined-anew",
     "uncertain",
     "other-matching",
+    "parted",
     "crossing",
     "details-touch",
     "coarse",
@@ -24,10 +25,10 @@ Kind: TypeAlias = Literal[
 
 file: something in the file cannot be carried. outlined-anew: an outline crosses itself and was
 replaced by what it shows. uncertain: matched with little certainty. other-matching: not the best
-matching was taken. crossing, details-touch: outlines or small details of them cross on the way.
-coarse: matched or moved by a simplified outline. bare-mesh: nothing keeps the outline from folding.
-too-many-pieces, too-many-holes: some are moved more simply. facing: the drawings seem to face
-opposite ways.
+matching was taken. parted: strands that would cross are kept apart. crossing, details-touch:
+outlines or small details of them cross on the way. coarse: matched or moved by a simplified
+outline. bare-mesh: nothing keeps the outline from folding. too-many-pieces, too-many-holes: some
+are moved more simply. facing: the drawings seem to face opposite ways.
 """
 
 

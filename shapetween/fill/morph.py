@@ -220,6 +220,16 @@ def _of_fallbacks(bodies: list[Carried], name: str) -> list[Notice]:
                 "another is taken that costs little more",
             )
         )
+    if any(body.parted for body in bodies):
+        notices.append(
+            Notice(
+                "parted",
+                "parts of the outline would run into each other on the way",
+                name,
+                "they are kept apart",
+                "note",
+            )
+        )
     if any(body.bare for body in bodies):
         notices.append(
             Notice("bare-mesh", "nothing keeps the outline from folding", name, "its mesh moves it")

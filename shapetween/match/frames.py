@@ -39,10 +39,10 @@ ALIKE = 0.6
 #: as wide as it is tall stands. Less leaves a hammer upright beside a wrench that lies.
 ALONG, MOST_SLENDER = 0.12, 2.0
 
-#: For symmetric outlines whose axes point the same way as drawn, instead of all that: how many
-#: times cheaper the turned frame must be. Less turns a spoon upside down to become a screwdriver;
-#: more leaves upright even an arrow that becomes one the other way.
-STANDING_RATIO = 1 / 0.35
+#: For symmetric outlines whose axes point the same way as drawn, instead of all that. Less turns a
+#: spoon upside down to become a screwdriver; more leaves upright even an arrow that becomes one the
+#: other way.
+STANDING = 1.05
 
 #: Angle between their long axes, times how slender they are, from which on they do not stand alike,
 #: whatever axes they have: one is upright and the other lies. More leaves a battery upright that
@@ -91,7 +91,9 @@ def standing(prepared: Prepared) -> Standing:
     return Standing(float(np.log(ratio)), float(np.angle(aside)) / 2)
 
 
-def handicap(upright: Frame, turned: Frame, a: Standing, b: Standing, *, stand: bool) -> float:
+def handicap(
+    upright: Frame, turned: Frame, a: Standing, b: Standing, *, stand: bool, plain: float
+) -> float:
     """What the costs of a turned frame's matchings are multiplied by.
 
     Parameters
@@ -101,16 +103,20 @@ def handicap(upright: Frame, turned: Frame, a: Standing, b: Standing, *, stand: 
         Of the two outlines.
     stand : bool
         Whether both are symmetric about axes that point the same way as drawn.
+    plain : float
+        How plainly the two are the same but for the turn, from 0 to 1. Then it counts no more that
+        things stand upright.
     """
     slender = min((a.slender + b.slender) / 2, MOST_SLENDER)
     apart = _apart(a.along - b.along)
-    if stand and slender * apart < ASKEW:
-        return STANDING_RATIO
     over = (abs(turned.turn) - OVER_FROM) / (OVER_TO - OVER_FROM)
     nearer = apart - _apart(a.along + turned.turn - b.along)
     alike = float(np.log(max(turned.unlike, LEAST) / max(upright.unlike, LEAST)))
-    weight = TURNED + OVER * min(max(over, 0.0), 1.0) + ALIKE * alike - ALONG * slender * nearer
-    return float(np.exp(weight))
+    weight = TURNED + ALIKE * alike - ALONG * slender * nearer
+    upright_weight = OVER * min(max(over, 0.0), 1.0)
+    if stand and slender * apart < ASKEW:
+        upright_weight = STANDING - weight
+    return float(np.exp(weight + (1 - plain) * upright_weight))
 
 
 #: Unlikeness below which it does not matter; the logarithm of 0 is none.

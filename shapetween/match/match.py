@@ -9,6 +9,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.band import band_path
+from shapetween.match.bends import bends_alike, plainly_the_same
 from shapetween.match.candidate import Candidate, apart, around, away, distinct, follow, near
 from shapetween.match.certainty import confidence_of, doubt
 from shapetween.match.correspondence import Correspondence
@@ -45,6 +46,14 @@ FORCED_TIPS = 5
 #: Matchings of the frame that was not chosen which are offered in any case. Fewer, and whoever
 #: meant the thing turned finds it nowhere; more, and they take the places of better ones.
 OTHER_FRAME = 2
+
+#: Cost below which a matching is as good as free, and that of another is no multiple of it.
+LEAST_COST = 0.01
+
+#: How many times cheaper it must be to turn by more than a right angle where the other way round is
+#: a matching too. Less, and rounding decides how a bone or a bolt comes to lie; more, and a pencil
+#: is laid on its head.
+BOTH_WAYS = 1.02
 
 #: Places at which a matching's unlikeness is read.
 MEAN_PLACES = 128
@@ -118,6 +127,20 @@ class _Ranked:
     worth: Floats
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Found:
+    """What was found in one frame: all candidates, the cheapest, and whether some are even."""
+
+    frame: Frame
+    entries: list[_Ranked]
+    best: _Ranked
+    even: bool
+
+    def weighed(self, factor: float) -> list[_Ranked]:
+        """The candidates with their costs multiplied."""
+        return [replace(entry, cost=entry.cost * factor) for entry in self.entries]
+
+
 class _Comparison:
     """Two outlines in the order that geometry gives them, and the pins on them."""
 
@@ -167,28 +190,47 @@ class _Comparison:
         """Rewards that can be earned at most, so that the costs of two frames have a ratio."""
         return VERTEX_REWARD * len(self.a.vertices.index)
 
-    def _ranked(self, forced: bool) -> Iterator[_Ranked]:
+    def _ranked(self, forced: bool) -> list[_Ranked]:
         """Candidates of all frames."""
+        unlike = self._unlike()
+        upright = self._found(0.0, unlike, forced)
+        turn = self._turn(unlike)
+        if abs(turn) < MIN_TURN:
+            return upright.entries
+        turned = self._found(turn, unlike, forced)
+        factor = self._factor(upright, turned)
+        found = upright.entries + turned.weighed(factor)
+        if factor * turned.best.cost < upright.best.cost:
+            # What is much the same both ways round is laid that way which turns it less.
+            about = turn - np.copysign(np.pi, turn)
+            factor *= 1 / BOTH_WAYS if abs(about) < abs(turn) else BOTH_WAYS
+            found += self._found(about, unlike, forced).weighed(factor)
+        return found
+
+    def _found(self, angle: float, unlike: Floats, forced: bool) -> _Found:
+        """What is found in one frame."""
         a, b = self.a, self.b
         unrewarded = self._unrewarded
-        unlike = self._unlike()
-        turn = self._turn(unlike)
-        upright, stands, factor = Frame(0.0, 1.0), False, 1.0
-        for angle in [0.0, turn] if abs(turn) >= MIN_TURN else [0.0]:
-            worth = _worth_of_vertices(a, b, angle)
-            even = even_matchings(a, b, angle, worth) if len(self.pins) == 0 else []
-            found = [
-                _Ranked(c.cost + unrewarded, c, worth) for c in self._in_frame(angle, worth, forced)
-            ]
-            found += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, worth) for c in even]
-            best = min(found, key=lambda entry: entry.cost).candidate
-            frame = Frame(angle, self._mean(unlike, best))
-            if angle == 0:
-                upright, stands = frame, bool(even)
-            else:
-                factor = handicap(upright, frame, standing(a), standing(b), stand=stands)
-            for entry in found:
-                yield replace(entry, cost=entry.cost * factor)
+        worth = _worth_of_vertices(a, b, angle)
+        even = even_matchings(a, b, angle, worth) if len(self.pins) == 0 else []
+        entries = [
+            _Ranked(c.cost + unrewarded, c, worth) for c in self._in_frame(angle, worth, forced)
+        ]
+        entries += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, worth) for c in even]
+        best = min(entries, key=lambda entry: entry.cost)
+        return _Found(Frame(angle, self._mean(unlike, best.candidate)), entries, best, bool(even))
+
+    def _factor(self, upright: _Found, turned: _Found) -> float:
+        """What the costs of a turned frame are weighed by against those as drawn."""
+        frames = upright.frame, turned.frame, standing(self.a), standing(self.b)
+        most, least = (handicap(*frames, stand=upright.even, plain=plain) for plain in (0.0, 1.0))
+        if not least < upright.best.cost / max(turned.best.cost, LEAST_COST) <= most:
+            return most
+        alike = (self._bends_alike(found.best) for found in (turned, upright))
+        return handicap(*frames, stand=upright.even, plain=plainly_the_same(*alike))
+
+    def _bends_alike(self, entry: _Ranked) -> float:
+        return bends_alike(self.a, self.b, self._refined(entry.candidate, entry.worth))
 
     def _unlike(self) -> Floats:
         """Unlikeness of all pairs of stations that no turning changes."""

@@ -1,4 +1,4 @@
-"""Moving one body in a plane of its own, by its best matching unless that shows it crossing."""
+"""Moving one body in a plane of its own; where its strands would cross they are parted."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -11,7 +11,8 @@ from shapetween.deform.schedule import CHECKED_TIMES
 from shapetween.geometry.polygon import polygon_area
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.matching import next_matches
-from shapetween.outline.seen import seen_crossings
+from shapetween.outline.parting import parted
+from shapetween.outline.seen import NOT_SEEN, seen_crossings
 from shapetween.outline.unfold import MOST_NODES, TOLERANCES, unfolded
 
 __all__ = ["looked_at", "moved_alone"]
@@ -54,9 +55,15 @@ def moved_alone(
     outer, holes = rings[0], rings[1:]
     body = unfolded(rings, method, TOLERANCES[:1] if rough else TOLERANCES)
     best = looked_at(body)
-    if rough or settled or outer.coarse or len(body.nodes.ends[0]) > MOST_NODES:
+    if rough or outer.coarse or best.seen.nothing:
         return best
-    for other in _others(outer, quads, observe) if not best.seen.nothing else ():
+    # Strands that touch say nothing against a matching.
+    mended = parted(best)
+    if mended is not None:
+        return replace(mended, seen=NOT_SEEN)
+    if settled or len(body.nodes.ends[0]) > MOST_NODES:
+        return best
+    for other in _others(outer, quads, observe):
         found = looked_at(unfolded([other, *holes], method, TOLERANCES[:2]))
         if found.seen.nothing:
             return replace(found, other_matching=True)

@@ -211,6 +211,8 @@ class Carried:
         What is to be seen of the crossings, where it was looked at.
     other_matching : bool
         Whether another matching than the best was taken, because that one is seen to cross.
+    parted : bool
+        Whether strands that crossed were parted.
     bare : bool
         Whether the meshes alone move the nodes, and nothing keeps them from folding.
     """
@@ -225,6 +227,7 @@ class Carried:
     detail: bool = False
     seen: Seen = NOT_SEEN
     other_matching: bool = False
+    parted: bool = False
     bare: bool = False
 
     @property

@@ -28,6 +28,10 @@ FINEST, COARSER = 1e-3, 1.25
 #: Polygons tried at most; the last ones are coarser than the outline is large.
 ATTEMPTS = 40
 
+#: Places of a side at which its share of the outline is read. Fewer, and what is matched on the
+#: outline is a little off on the polygon; more cost time.
+READ = 4
+
 #: Share of a side nearer than which a place is the corner there.
 AT_CORNER = 1e-9
 
@@ -96,6 +100,24 @@ class Coarse:
             on = on[np.argsort(share[on])]
             places[on] = self._across(k, share[on])
         return places
+
+    def lowered(self, fractions: Floats) -> Floats:
+        """Fractions of the polygon's length for fractions of the outline's; undoes `lifted`.
+
+        Parameters
+        ----------
+        fractions : (N,) float64
+            From 0 to 1.
+        """
+        joints = np.append(self.lengths.joints, 1.0)
+        known = (joints[:-1, None] + np.diff(joints)[:, None] * np.arange(READ) / READ).ravel()
+        places = self.lifted(known)
+        start, count = places[0], len(self.outline.curves)
+        places = np.maximum.accumulate(start + (places - start) % count)
+        curve, t = ArcLength(self.outline).locate(fractions % 1)
+        wanted = start + (curve + t - start) % count
+        ends = np.append(places, start + count), np.append(known, known[0] + 1)
+        return np.asarray(np.interp(wanted, *ends) % 1)
 
     def _across(self, side: int, shares: Floats) -> Floats:
         """Places on the run of the outline beside one side, for rising shares of that side."""

@@ -13,14 +13,13 @@ from shapetween.geometry.bezier import flatten
 from shapetween.geometry.rotation import rotations
 from shapetween.match import Correspondence, Matcher, correspond
 from shapetween.match.matcher import ALTERNATIVES
-from shapetween.match.register import register
 from shapetween.mesh import mesh_matched
 from shapetween.mesh.file import check_mesh
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
 from shapetween.outline.body import RingMatch
-from shapetween.outline.coarse import coarse
+from shapetween.outline.coarse import Coarse, coarse
 from shapetween.outline.detail import DetailedOutlines
 from shapetween.outline.matched import MatchedOutlines
 
@@ -37,8 +36,12 @@ BARE_SAMPLES = 256
 #: Chords a curve is checked with where a polygon will do.
 CHORDS = 16
 
-#: Curves of one outline from which on both are matched by their coarse shapes. Fewer are drawn
-#: shapes, whose every curve means something.
+#: Least step between two knots on coarse shapes, as a share of their lengths. Less, and what lies
+#: between two of them has no extent; more loses what is matched closely.
+APART = 1e-6
+
+#: Curves of one outline from which on both are meshed and moved by their coarse shapes. Fewer are
+#: drawn shapes, whose every curve means something.
 MANY_CURVES = 600
 
 #: Corners of all coarse outlines of a shape at most. More keep more of the shape from folding, and
@@ -77,7 +80,7 @@ def match_outer(
     observe : Observer
         Told of every stage.
     corners : int
-        Corners at most of the coarse shapes that outlines of very many curves are matched by.
+        Corners at most of the coarse shapes that outlines of very many curves are moved by.
     choice : int
         Which of the distinct matchings to take, the best one being 1.
     meshed : bool
@@ -97,15 +100,15 @@ def match_outer(
         return _given_mesh(source, target, mesh, observe)
     if choice > 1 and len(pins):
         raise OptionError(f"matching: {choice} and pins exclude each other; expected one of them")
-    if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
-        found = _by_coarse_shapes(source, target, quads, upright, observe, corners, choice)
-        if found is not None:
-            return found
     with observe("match"):
         matcher = Matcher(source, target)
         matching = matcher.match(pins) if len(pins) else _chosen(matcher, choice)
         if upright:
             matching = upright_of(matching)
+    if max(len(source.curves), len(target.curves)) >= MANY_CURVES and not len(pins):
+        coarsely = _by_coarse_shapes(source, target, matching, quads, observe, corners)
+        if coarsely is not None:
+            return coarsely
     if meshed:
         found = _meshed(source, target, matching, quads, pins, observe)
         return replace(found, upright=upright)
@@ -129,24 +132,22 @@ def _chosen(matcher: Matcher, choice: int) -> Correspondence:
 def _by_coarse_shapes(
     source: Outline,
     target: Outline,
+    matching: Correspondence,
     quads: int | None,
-    upright: bool,
     observe: Observer,
     corners: int,
-    choice: int,
 ) -> RingMatch | None:
-    """Match and mesh what is left of two outlines without their detail, which is carried.
+    """Mesh what is left of two matched outlines without their detail, which is carried.
 
     None where one is an affine image of the other, or has no simple coarse shape.
     """
+    if matching.affine is not None:
+        return None
     with observe("match"):
         ends = coarse(source, corners), coarse(target, corners)
-        if ends[0] is None or ends[1] is None or register(source, target) is not None:
+        if ends[0] is None or ends[1] is None:
             return None
-        matching = _chosen(Matcher(ends[0].polygon, ends[1].polygon), choice)
-        if upright:
-            matching = upright_of(matching)
-        outlines = DetailedOutlines(ends[0], ends[1], matching.u, matching.v)
+        outlines = DetailedOutlines(ends[0], ends[1], *_lowered(ends[0], ends[1], matching))
         samples = outlines.samples()
         if not simple_frames(np.stack([samples.source, samples.target])).all():
             return None
@@ -155,6 +156,18 @@ def _by_coarse_shapes(
     return RingMatch(
         source, target, False, matching, outlines, samples, found.nodes, found.pair, found.level
     )
+
+
+def _lowered(first: Coarse, second: Coarse, matching: Correspondence) -> tuple[Floats, Floats]:
+    """Knots of the matching on the coarse polygons."""
+    u, v = first.lowered(matching.u[:-1]), second.lowered(matching.v[:-1])
+    u, v = (at[0] + (at - at[0]) % 1 for at in (u, v))
+    # Places side by side on an outline that wanders back are one on its polygon.
+    kept = [0]
+    for k in range(1, len(u)):
+        if min(u[k] - u[kept[-1]], v[k] - v[kept[-1]], 1 + u[0] - u[k], 1 + v[0] - v[k]) > APART:
+            kept.append(k)
+    return np.append(u[kept], u[0] + 1), np.append(v[kept], v[0] + 1)
 
 
 def next_matches(ring: RingMatch, quads: int | None, observe: Observer) -> Iterator[RingMatch]:
