@@ -27,6 +27,7 @@ from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between
 from shapetween.outline.matching import CORNERS, match_hole, match_outer
 from shapetween.outline.preview import previewed_body
+from shapetween.outline.straight import straightened
 from shapetween.outline.unfold import bare, unfolded
 
 __all__ = ["morph_fill"]
@@ -358,7 +359,8 @@ def _moved(
         return [bare(rings, settings.method) for rings in bodies], each
     together = None
     if 1 < len(bodies) <= MOST_TOGETHER and not touching:
-        together = unfolded([ring for rings in bodies for ring in rings], settings.method)
+        every = [ring for rings in bodies for ring in rings]
+        together = straightened(unfolded(every, settings.method))
         if not together.crossing or together.detail:
             return [looked_at(together)], [0] * len(bodies)
     curves = sum(len(r.source.curves) + len(r.target.curves) for rings in bodies for r in rings)

@@ -8,18 +8,17 @@ back once the strands have passed.
    18(2), 2007.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from shapetween.base.arrays import Complex, Floats, Index, Mask
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.deform.mesh import AmbientMesh
 from shapetween.deform.schedule import CHECKED_TIMES
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.linearmaps import as_complex
 from shapetween.outline.body import Carried, Nodes
+from shapetween.outline.pushing import pushed
 
 __all__ = ["parted"]
 
@@ -65,9 +64,6 @@ NO_PUSH = 1e-5
 #: Passes of (1, 2, 1) / 4 over the pushes in time, the smoothest that stays simple. Fewer show as a
 #: jolt.
 SMOOTHINGS = (8, 2)
-
-#: Passes that spread the pushes to the mesh around, whose free vertices follow their neighbours.
-SPREADING = 20
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -131,16 +127,13 @@ def parted(body: Carried) -> Carried | None:
     step = -1 if backwards else 1
     places = _places(nodes, body.counts, shown)
     pushes = _pushes(shown[::step], ~simple[::step], places, len(nodes.ends[0]))[::step]
-    sizes = (1 - t) * motion.mesh.poses[0].size + t * motion.mesh.poses[1].size
     for smoothing in SMOOTHINGS:
         smooth = pushes.copy()
         for _ in range(smoothing):
             smooth[1:-1] = (smooth[:-2] + 2 * smooth[1:-1] + smooth[2:]) / 4
-        added = _spread(motion.mesh, smooth / sizes[:, None])
-        path = KeyedMotion.of(motion.mesh, motion.posed(t) + added)
-        crossing = int((~nodes.simple(t, path.vertices(t))[1:-1]).sum())
-        if not crossing:
-            return replace(body, path=path, crossing=0, parted=True)
+        found = pushed(body, motion, smooth)
+        if not found.crossing:
+            return replace(found, parted=True)
     return None
 
 
@@ -271,29 +264,3 @@ def _step(here: Complex, pairs: _Pairs, places: _Places, nodes: int) -> Complex 
     number = np.maximum(np.bincount(at, np.abs(weight.ravel()) > 0, nodes), 1)
     sums = [np.bincount(at, part, nodes) for part in (moves.real, moves.imag)]
     return np.asarray((sums[0] + 1j * sums[1]) / number)
-
-
-def _spread(mesh: AmbientMesh, pushes: Complex) -> Complex:
-    """Pushes of the nodes, (F, N), carried on to the free vertices around, (F, V)."""
-    count, fixed = len(mesh.source), mesh.nodes + len(mesh.frame)
-    result = np.zeros((len(pushes), count), dtype=np.complex128)
-    result[:, : mesh.nodes] = pushes
-    if fixed == count:
-        return result
-    one, other = _edges(mesh)
-    number = np.maximum(np.bincount(one, minlength=count), 1)
-    moving = np.flatnonzero((np.abs(pushes) > 0).any(axis=1))
-    for frame in moving.tolist():
-        values = result[frame]
-        for _ in range(SPREADING):
-            sums = [np.bincount(one, part[other], count) for part in (values.real, values.imag)]
-            mean = (sums[0] + 1j * sums[1]) / number
-            values[fixed:] = mean[fixed:]
-    return result
-
-
-def _edges(mesh: AmbientMesh) -> Iterator[Index]:
-    """Both ends of every edge of the triangles, once from either."""
-    sides = np.concatenate([mesh.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
-    both = np.unique(np.concatenate([sides, sides[:, ::-1]]), axis=0)
-    return iter(both.T)
