@@ -4,7 +4,7 @@ from itertools import combinations
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats
+from shapetween.base.arrays import Curves, Floats, Index
 from shapetween.geometry.bezier import evaluate
 from shapetween.outline.body import Carried
 from shapetween.pipeline import prepare
@@ -19,7 +19,7 @@ TIMES = np.linspace(0, 1, 11)
 STEM, STRAIGHT = 4.0, 2.0
 
 
-def stems(curves: Curves) -> list[np.ndarray]:
+def stems(curves: Curves) -> list[Index]:
     """Runs of one ring's curves, (F, P, 4, 2), that are upright straight edges at both ends."""
     ways = np.stack([curves[k, :, 3] - curves[k, :, 0] for k in (0, -1)])
     straight = np.abs(ways[..., 0]) <= 0.01 * np.abs(ways[..., 1]) + 1e-3
@@ -43,7 +43,7 @@ def off_straight(curves: Curves) -> Floats:
     steps = np.diff(points, axis=1)
     whole = points[:, -1:] - points[:, :1]
     long = np.abs(steps) > 0.02 * np.abs(whole)
-    return np.degrees(np.where(long, np.abs(np.angle(steps / whole)), 0.0).max(axis=1))
+    return np.asarray(np.degrees(np.where(long, np.abs(np.angle(steps / whole)), 0.0).max(axis=1)))
 
 
 def kept(body: Carried) -> tuple[int, int]:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from shapetween.base.arrays import Points
 from shapetween.match import correspond
 from shapetween.match.bends import bends_alike, plainly_the_same
 from shapetween.match.candidate import Candidate
@@ -65,7 +66,7 @@ def test_what_is_plainly_the_same_need_not_stand() -> None:
     assert plain[1] < half[1] < other[1]
 
 
-def bolt(lean: float) -> np.ndarray:
+def bolt(lean: float) -> Points:
     """A flash of lightning, much the same on its head, the lower end longer by `lean`."""
     upper = np.array([[0.4, -2.0], [-0.9, 0.2], [-0.1, 0.2]])
     return np.concatenate([upper, -upper * [1, 1 + lean]])
