@@ -39,6 +39,12 @@ ALIKE = 0.6
 #: as wide as it is tall stands. Less leaves a hammer upright beside a wrench that lies.
 ALONG, MOST_SLENDER = 0.12, 2.0
 
+#: The same where both outlines are round, and how round they are there: their areas over those of
+#: discs of as long an outline. Of 320 hand-matched pairs none over 0.67 was meant turned; blobs
+#: whose radii differ by a quarter have 0.8. Less lets blobs that idle roll instead of wobble; from
+#: lower on, a mug is left on its side.
+ROLLING, ROUND_FROM, ROUND_TO = 0.8, 0.7, 0.8
+
 #: For symmetric outlines whose axes point the same way as drawn, instead of all that. Less turns a
 #: spoon upside down to become a screwdriver; more leaves upright even an arrow that becomes one the
 #: other way.
@@ -60,10 +66,13 @@ class Standing:
         Logarithm of the ratio of its two principal variances.
     along : float
         Angle of its long axis, radians, of any turn.
+    roundness : float
+        Its area over that of the disc of as long an outline.
     """
 
     slender: float
     along: float
+    roundness: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +97,8 @@ def standing(prepared: Prepared) -> Standing:
     z = z - z.mean()
     spread, aside = float((np.abs(z) ** 2).mean()), complex((z * z).mean())
     ratio = (spread + abs(aside)) / max(spread - abs(aside), 1e-9 * spread)
-    return Standing(float(np.log(ratio)), float(np.angle(aside)) / 2)
+    length = prepared.samples.arcs.length / prepared.samples.size
+    return Standing(float(np.log(ratio)), float(np.angle(aside)) / 2, 4 * np.pi / length**2)
 
 
 def handicap(
@@ -109,11 +119,13 @@ def handicap(
     """
     slender = min((a.slender + b.slender) / 2, MOST_SLENDER)
     apart = _apart(a.along - b.along)
-    over = (abs(turned.turn) - OVER_FROM) / (OVER_TO - OVER_FROM)
+    over = _ramp(abs(turned.turn), OVER_FROM, OVER_TO)
+    rolling = _ramp(min(a.roundness, b.roundness), ROUND_FROM, ROUND_TO)
     nearer = apart - _apart(a.along + turned.turn - b.along)
     alike = float(np.log(max(turned.unlike, LEAST) / max(upright.unlike, LEAST)))
     weight = TURNED + ALIKE * alike - ALONG * slender * nearer
-    upright_weight = OVER * min(max(over, 0.0), 1.0)
+    weight += ROLLING * rolling
+    upright_weight = OVER * over
     if stand and slender * apart < ASKEW:
         upright_weight = STANDING - weight
     return float(np.exp(weight + (1 - plain) * upright_weight))
@@ -121,6 +133,11 @@ def handicap(
 
 #: Unlikeness below which it does not matter; the logarithm of 0 is none.
 LEAST = 0.1
+
+
+def _ramp(value: float, low: float, high: float) -> float:
+    """From 0 at the low one to 1 at the high one."""
+    return min(max((value - low) / (high - low), 0.0), 1.0)
 
 
 def _apart(angle: float) -> float:

@@ -27,6 +27,10 @@ UNEVEN = 0.1
 #: more, and what points up would come to point aside.
 MOST_TURN = 0.6
 
+#: Angle, radians, up to which two axes are drawn the same way; then no others that lean are tried.
+#: Less, and what is drawn by hand is not; more, and things that lean are straightened up.
+ALIGNED = 0.02
+
 #: Axes of the outline that has fewer that are tried. Regular shapes have as many as corners, and
 #: few of them are upright.
 MOST_AXES = 4
@@ -134,9 +138,11 @@ def aligned_ends(a: Axes, b: Axes, angle: float) -> list[Floats]:
         first = _nearest(turn[:, second].T)
     common = math.gcd(rows, columns) if _regular(a) and _regular(b) else 2
     best = np.argsort(np.round(turn[first, second], 9), kind="stable")[:MOST_AXES]
+    least = turn[first, second].min()
+    most = ALIGNED if least < ALIGNED else MOST_TURN
     found: list[Floats] = []
     for i, j in zip(first[best].tolist(), second[best].tolist(), strict=True):
-        if turn[i, j] >= MOST_TURN:
+        if turn[i, j] >= most:
             continue
         step = np.arange(common)
         at = (i + step * (rows // common)) % rows, (j + step * (columns // common)) % columns

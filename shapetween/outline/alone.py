@@ -10,6 +10,7 @@ from shapetween.base.observe import Observer
 from shapetween.deform.schedule import CHECKED_TIMES
 from shapetween.geometry.polygon import polygon_area
 from shapetween.outline.body import Carried, RingMatch
+from shapetween.outline.even import evened
 from shapetween.outline.matching import next_matches
 from shapetween.outline.parting import parted
 from shapetween.outline.seen import NOT_SEEN, seen_crossings
@@ -55,7 +56,7 @@ def moved_alone(
     """
     outer, holes = rings[0], rings[1:]
     body = unfolded(rings, method, TOLERANCES[:1] if rough else TOLERANCES)
-    best = looked_at(straightened(body))
+    best = looked_at(straightened(evened(body)))
     if rough or outer.coarse or best.seen.nothing:
         return best
     # Strands that touch say nothing against a matching.
@@ -65,7 +66,7 @@ def moved_alone(
     if settled or len(body.nodes.ends[0]) > MOST_NODES:
         return best
     for other in _others(outer, quads, observe):
-        found = looked_at(straightened(unfolded([other, *holes], method, TOLERANCES[:2])))
+        found = looked_at(straightened(evened(unfolded([other, *holes], method, TOLERANCES[:2]))))
         if found.seen.nothing:
             return replace(found, other_matching=True)
     return best
