@@ -10,8 +10,8 @@ from shapetween.outline.body import Carried
 from shapetween.pipeline import prepare
 from tests.match.alphabet import GLYPHS, drawn
 
-#: Every how many-th pair is moved here: all 630 take five minutes.
-EVERY = 21
+#: Every how many-th pair is moved here: all 630 take minutes.
+EVERY = 9
 
 TIMES = np.linspace(0, 1, 11)
 
@@ -70,6 +70,6 @@ def test_stems_stay_stems_and_nothing_crosses() -> None:
                     crossing.append(first + second)
                 some = kept(body)
                 good, count = good + some[0], count + some[1]
-    assert count >= 20
-    assert good >= 0.8 * count, f"{good} of {count}"
+    assert count >= 12
+    assert good >= 0.9 * count, f"{good} of {count}"
     assert not crossing
