@@ -114,7 +114,7 @@ class Coarse:
         places = self.lifted(known)
         start, count = places[0], len(self.outline.curves)
         places = np.maximum.accumulate(start + (places - start) % count)
-        curve, t = ArcLength(self.outline).locate(fractions % 1)
+        curve, t = arc_length(self.outline).locate(fractions % 1)
         wanted = start + (curve + t - start) % count
         ends = np.append(places, start + count), np.append(known, known[0] + 1)
         return np.asarray(np.interp(wanted, *ends) % 1)
