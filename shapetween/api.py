@@ -276,6 +276,8 @@ def chain(
     method: str = "projective",
     quads: int | None = None,
     pins: Mapping[int, Iterable[Pin]] | None = None,
+    matches: Mapping[int, Iterable[tuple[str, str]]] | None = None,
+    matching: Mapping[int, int] | None = None,
     fit: Fit = "view",
     folds: Folds = "prevent",
     pairing: Pairing = "normal",
@@ -297,6 +299,10 @@ def chain(
     pins : mapping of int to iterable of (ax, ay, bx, by), optional
         Points that belong together, by the leg, counted from 1, each in its own drawing's user
         units.
+    matches : mapping of int to iterable of (str, str), optional
+        Ids of shapes that become each other, by the leg, as of `shapetween.morph`.
+    matching : mapping of int to int, optional
+        Which of the distinct matchings of a leg's outlines to take, by the leg.
     fit : {"view", "geometry", "none"}
         How each drawing is brought into the frame of the first.
     observe : Observer, optional
@@ -322,7 +328,11 @@ def chain(
         change=change,
         effort=effort,
     )
-    pinned = _pinned(pins or {}, len(sources) - 1)
+    for name, of_legs in (("pins", pins), ("matches", matches), ("matching", matching)):
+        for leg in of_legs or {}:
+            if leg not in range(1, len(sources)):
+                last = len(sources) - 1
+                raise OptionError(f"{name}: there is no leg {leg!r}; expected 1 to {last}")
     names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):
         different = {_key(source): source for source in sources}
@@ -334,7 +344,12 @@ def chain(
     title = " to ".join(drawing.title for drawing in read if drawing.title)
     legs = []
     for k, (pair, both) in enumerate(zip(pairwise(framed), pairwise(names), strict=True)):
-        own = replace(options, pins=_mapped_pins(pinned.get(k + 1, ()), *frames[k : k + 2]))
+        own = replace(
+            options,
+            pins=_mapped_pins((pins or {}).get(k + 1, ()), *frames[k : k + 2]),
+            matches=tuple((matches or {}).get(k + 1, ())),
+            matching=(matching or {}).get(k + 1, 1),
+        )
         prepared = prepare(*pair, own, names=both, observe=observe)
         titled = replace(prepared, movement=replace(prepared.movement, title=title))
         legs.append(Morph(titled, method))
@@ -356,17 +371,9 @@ def _in_frame(drawing: Drawing, first: Drawing, matrix: Affine) -> Drawing:
     return drawing if drawing is first else replace(drawing.transformed(matrix), box=first.box)
 
 
-def _pinned(pins: Mapping[int, Iterable[Pin]], legs: int) -> dict[int, tuple[Pin, ...]]:
-    """Pins by leg, checked."""
-    for leg in pins:
-        if leg not in range(1, legs + 1):
-            raise OptionError(f"pins: there is no leg {leg!r}; expected 1 to {legs}")
-    return {leg: tuple(_pin(pin) for pin in some) for leg, some in pins.items()}
-
-
 def _mapped_pins(pins: Iterable[Pin], source: Affine, target: Affine) -> tuple[Pin, ...]:
     """Pins of a leg in the frame of the first drawing."""
-    given = np.array(tuple(pins), dtype=np.float64).reshape(-1, 4)
+    given = np.array([_pin(pin) for pin in pins]).reshape(-1, 4)
     both = np.concatenate([mapped(given[:, :2], source), mapped(given[:, 2:], target)], axis=1)
     return tuple(map(_pin, both.tolist()))
 

@@ -27,7 +27,7 @@ def alternatives(a: Path, b: Path, out: Path | None, duration: float, common: Co
 
     path = out or Path(f"{a.stem}-to-{b.stem}-alternatives.html")
     files.check_form(path, "a page of alternatives", (".html", ".htm"))
-    if common.matching != 1:
+    if common.matchings:
         raise OptionError("--matching: all are shown; expected none here")
     with Progress(quiet=common.quiet) as run:
         settings = common.settings(a, b, path)

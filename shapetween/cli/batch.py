@@ -12,10 +12,11 @@ from typing import Any
 import click
 
 from shapetween.base.errors import OptionError
+from shapetween.cli.legs import MOST_MATCHINGS, OfLeg
 from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
 from shapetween.cli.told import wrote
-from shapetween.cli.values import PATH, OfLeg, Whole
+from shapetween.cli.values import PATH, Whole
 from shapetween.timing import defaults
 
 __all__ = ["batch"]
@@ -28,6 +29,7 @@ _ADDRESS = re.compile(r"(?:tcp|tls|wss?)://[^\s/]+:\d+")
 #: Options of `morph` that are not those of a row, or are for moving pictures; batches write SVG.
 _NOT_A_ROW = frozenset(
     {"out", "mesh", "report", "font", "quiet", "verbose", "fps", "size", "background", "css"}
+    | {"matchings"}  # below, as one
     | {"loose", "strict"}  # flags have no value that a cell could hold
 )
 _ROW = {
@@ -35,6 +37,15 @@ _ROW = {
     for param in morph.params
     if isinstance(param, click.Option) and param.name not in _NOT_A_ROW
 }
+# A row is one leg, and has one matching.
+_ROW["matching"] = click.Option(
+    ["--matching"],
+    type=Whole(1, MOST_MATCHINGS),
+    default=1,
+    show_default=True,
+    metavar="K",
+    help="Which of the distinct ways for one outline to become the other.",
+)
 #: Those that serve whole batches; one that may be repeated, such as a pin, concerns one pair.
 _SHARED = [param for param in _ROW.values() if not param.multiple]
 

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from shapetween.base.errors import MeshError, OptionError
+from shapetween.cli.legs import Match, Matching, OfLeg, Pin, by_leg
 from shapetween.cli.told import warn, wrote
-from shapetween.cli.values import PATH, Match, Name, OfLeg, Pin, Real, Whole
+from shapetween.cli.values import PATH, Name, Real, Whole
 from shapetween.io.progress import Progress
 from shapetween.timing import defaults
 
@@ -107,12 +108,12 @@ class Common:
     folds: str
     quads: int | None
     pins: tuple[OfLeg, ...]
-    matches: tuple[tuple[str, str], ...]
+    matches: tuple[OfLeg, ...]
     loose: bool
     strict: bool
     change: str | None
     mesh: Path | None
-    matching: int
+    matchings: tuple[OfLeg, ...]
     fit: str
     font: Path | None
     flip: str
@@ -126,13 +127,7 @@ class Common:
         """Check the places to write to, then prepare the movement through two or more drawings."""
         if len(drawings) == 2:
             return self.prepare(drawings[0], drawings[1], out, progress, pictures=pictures)
-        chosen = None if self.matching == 1 else self.matching
-        of_a_pair = {
-            "--match": self.matches,
-            "--mesh": self.mesh,
-            "--matching": chosen,
-            "--flip": self.flip != "none",
-        }
+        of_a_pair = {"--mesh": self.mesh, "--flip": self.flip != "none"}
         for name, value in of_a_pair.items():
             if value:
                 raise OptionError(
@@ -142,9 +137,9 @@ class Common:
         self.check_places(drawings, out)
         with progress("import"):
             from shapetween.api import chain
-        pins = self._pins_of_legs(len(drawings) - 1)
+        known = self._of_legs(len(drawings) - 1)
         settings = self._for_any_pair()
-        return chain(drawings, pins=pins, pictures=pictures, observe=progress, **settings)
+        return chain(drawings, pictures=pictures, observe=progress, **known, **settings)
 
     def prepare(
         self, a: Path, b: Path, out: Path, progress: Progress, *, pictures: bool = False
@@ -173,7 +168,7 @@ class Common:
         return {
             **self._for_any_pair(),
             "pins": self.pins_of_pair,
-            "matches": self.matches,
+            "matches": tuple(self._of_legs(1)["matches"].get(1, ())),
             "mesh": meshes,
             "matching": self.matching,
             "flip": self.flip,
@@ -182,22 +177,24 @@ class Common:
     @property
     def pins_of_pair(self) -> tuple[tuple[float, float, float, float], ...]:
         """The pins, where there is but one leg."""
-        return tuple(self._pins_of_legs(1).get(1, ()))
+        return tuple(self._of_legs(1)["pins"].get(1, ()))
 
-    def _pins_of_legs(self, count: int) -> dict[int, list[tuple[float, float, float, float]]]:
-        """The pins of each leg."""
-        found: dict[int, list[tuple[float, float, float, float]]] = {}
-        for leg, pin in self.pins:
-            if leg is None and count > 1:
-                raise OptionError(
-                    f"--pin: of which of the {count} legs? Expected LEG/AX,AY:BX,BY, such as "
-                    f"1/{pin[0]:g},{pin[1]:g}:{pin[2]:g},{pin[3]:g}"
-                )
-            if (leg or 1) > count:
-                legs = "is but one leg" if count == 1 else f"are {count} legs"
-                raise OptionError(f"--pin {leg}/...: there {legs}")
-            found.setdefault(leg or 1, []).append(pin)
-        return found
+    @property
+    def matching(self) -> int:
+        """Which matching is asked for, where there is but one leg."""
+        return int(self._of_legs(1)["matching"].get(1, 1))
+
+    def _of_legs(self, count: int) -> dict[str, Any]:
+        """What is settled of each leg, as `shapetween.chain` takes it."""
+        matchings = by_leg("--matching", self.matchings, count)
+        for leg, some in matchings.items():
+            if len(some) > 1:
+                raise OptionError(f"--matching: {len(some)} of leg {leg}; expected one")
+        return {
+            "pins": by_leg("--pin", self.pins, count),
+            "matches": by_leg("--match", self.matches, count),
+            "matching": {leg: some[0] for leg, some in matchings.items()},
+        }
 
     def check_places(self, inputs: Sequence[Path], out: Path) -> None:
         """Check that neither the output nor the report would overwrite anything that is read."""
@@ -275,7 +272,8 @@ _OPTIONS: tuple[Option, ...] = (
         type=Pin(),
         multiple=True,
         help="A point of A and what it becomes in B, each in its file's own units. With more "
-        "drawings say of which leg: 2/AX,AY:BX,BY is from the second to the third. Repeatable.",
+        "drawings say of which leg, as of --match and --matching: 2/AX,AY:BX,BY is from the second "
+        "to the third. Repeatable.",
     ),
     click.option(
         "--match",
@@ -302,12 +300,11 @@ _OPTIONS: tuple[Option, ...] = (
     ),
     click.option(
         "--matching",
-        type=Whole(1, 100),
-        default=1,
-        show_default=True,
-        metavar="K",
-        help="Which of the distinct ways for one outline to become the other; see 'shapetween "
-        "alternatives'.",
+        "matchings",
+        type=Matching(),
+        multiple=True,
+        help="Which of the distinct ways for one outline to become the other, the best being 1; "
+        "see 'shapetween alternatives'. Repeatable, of other legs.",
     ),
     click.option(
         "--fit",

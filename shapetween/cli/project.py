@@ -9,7 +9,8 @@ import click
 from click.core import ParameterSource
 
 from shapetween.base.errors import OptionError
-from shapetween.cli.values import PATH, OfLeg
+from shapetween.cli.legs import OfLeg
+from shapetween.cli.values import PATH
 
 __all__ = ["project_option"]
 
@@ -49,6 +50,7 @@ def _read(ctx: click.Context, param: click.Parameter, path: Path | None) -> None
         return
     from shapetween.io import files
     from shapetween.studio.project import plain_name, project_of
+    from shapetween.studio.settings import SETTINGS
 
     def beside(name: str) -> bytes:
         return files.read_bytes(path.parent / name)
@@ -64,14 +66,17 @@ def _read(ctx: click.Context, param: click.Parameter, path: Path | None) -> None
         places[name] = place
     a, b, *more = (places[name] for name in project.job.drawings)
     legs = project.job.legs
+    said: dict[str, Any] = {"a": a, "b": b, "more": tuple(more)}
+    for setting in SETTINGS:
+        if setting.name in project.job.options:
+            value = project.job.options[setting.name]
+            said.update({value: True} if value in setting.flags else {setting.name: value})
     several = len(legs) > 1
-    pins = [OfLeg(k if several else None, p) for k, leg in enumerate(legs, 1) for p in leg.pins]
-    said: dict[str, Any] = {"a": a, "b": b, "more": tuple(more), **project.job.options}
-    if pins:
-        said["pins"] = pins
-    matches = [tuple(match.split(":", 1)) for leg in legs for match in leg.matches]
-    if matches:
-        said["matches"] = matches
-    if not several and legs[0].matching != 1:
-        said["matching"] = legs[0].matching
+    known: dict[str, list[OfLeg]] = {"pins": [], "matches": [], "matchings": []}
+    for k, leg in enumerate(legs, start=1):
+        at = k if several else None
+        known["pins"] += [OfLeg(at, pin) for pin in leg.pins]
+        known["matches"] += [OfLeg(at, tuple(match.split(":", 1))) for match in leg.matches]
+        known["matchings"] += [OfLeg(at, leg.matching)] if leg.matching != 1 else []
+    said |= {name: some for name, some in known.items() if some}
     ctx.default_map = {**(ctx.default_map or {}), **said}

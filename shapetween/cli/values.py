@@ -2,13 +2,13 @@
 
 import math
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
 from shapetween.timing.defaults import MOST_KEYFRAMES
 
-__all__ = ["PATH", "Keyframes", "Match", "Name", "OfLeg", "Pin", "Real", "Size", "Whole"]
+__all__ = ["PATH", "Keyframes", "Name", "Real", "Size", "Whole"]
 
 PATH = click.Path(path_type=Path)
 
@@ -49,49 +49,6 @@ class Whole(click.IntRange):
         if not low <= number <= high:
             self.fail(f"{value!r} is not a whole number from {low} to {high}")
         return number
-
-
-class OfLeg(NamedTuple):
-    """What is said of one leg of a chain, counted from 1, or of a pair, which has no other."""
-
-    leg: int | None
-    value: tuple[float, float, float, float]
-
-
-class Pin(click.ParamType[Any]):
-    """``AX,AY:BX,BY``, a point of A and the point of B that it becomes; before it ``2/``, a leg."""
-
-    name = "[LEG/]AX,AY:BX,BY"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Read the four numbers, and the leg."""
-        if isinstance(value, tuple):
-            return value
-        leg, slash, pair = str(value).rpartition("/")
-        halves = [half.split(",") for half in pair.split(":")]
-        counted = not slash or (leg.isascii() and leg.isdecimal() and int(leg) > 0)
-        try:
-            (ax, ay), (bx, by) = ([float(x) for x in half] for half in halves)
-        except ValueError:
-            counted = False
-        if not counted:
-            self.fail(f"{value!r} is not AX,AY:BX,BY, such as 12,30.5:14,28, nor LEG/AX,AY:BX,BY")
-        return OfLeg(int(leg) if slash else None, (ax, ay, bx, by))
-
-
-class Match(click.ParamType[Any]):
-    """``IDA:IDB``: a shape of A and the shape of B that it becomes, several, or none."""
-
-    name = "IDA:IDB"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Split at the colon."""
-        if isinstance(value, tuple):
-            return value
-        first, colon, second = str(value).partition(":")
-        if not colon or not (first or second):
-            self.fail(f"{value!r} is not IDA:IDB, such as tail:tail-fin")
-        return first, second
 
 
 class Name(click.ParamType[Any]):

@@ -80,8 +80,9 @@ def between(
     Parameters
     ----------
     a, b : str, geometry, (N, 2) array_like, matplotlib Path, path or Drawing
-        Two of one kind: path data (``"M0 0H9V9Z"``), a shapely Polygon or MultiPolygon, the corners
-        of a polygon, a matplotlib Path, or a drawing, also as the name or the text of an SVG file.
+        Two of one kind: path data (``"M0 0H9V9Z"``), a shapely Polygon or MultiPolygon, a
+        LineString or MultiLineString, the corners of a polygon, a matplotlib Path, or a drawing,
+        also as the name or the text of an SVG file.
     pins : iterable of (ax, ay, bx, by)
         Points that belong together, in the shapes' own coordinates.
     y_up : bool, optional
@@ -118,7 +119,7 @@ def between(
     if upward:
         drawings = [_turned(drawing) for drawing in drawings]
         pins = [(ax, -ay, bx, -by) for ax, ay, bx, by in pins]
-    made = morph(*drawings, pins=pins, **{"fit": "none", **options})
+    made = morph(*drawings, pins=pins, **{"fit": "none", **kind.options, **options})
     return Between(made, kind, upward)
 
 

@@ -3,8 +3,8 @@
 shapely and matplotlib are known by what their objects have, so neither is imported for others.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from itertools import pairwise
 from os import PathLike
 from pathlib import Path
@@ -18,7 +18,7 @@ from shapetween.geometry.bezier import line_curves
 from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Style
+from shapetween.model.paint import Colour, Stroke, Style
 
 __all__ = ["Kind", "kind_of"]
 
@@ -28,6 +28,17 @@ MOST_COMMANDS = 200_000
 #: Least area of a ring that is there, as a share of the square of the drawing's size: what opens
 #: from a point has none at first.
 LEAST_AREA = 1e-12
+
+#: What shapely calls lines.
+LINES = frozenset({"LineString", "LinearRing", "MultiLineString"})
+
+#: Width of a line as a share of the drawing's size: a stroke has one. Wider, and lines that run
+#: side by side are one line; far thinner, and its pins have no reach.
+LINE_WIDTH = 1e-3
+
+#: Least extent of a line that is there, as a share of the drawing's size: what is drawn begins with
+#: none.
+LEAST_LENGTH = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +55,15 @@ class Kind:
         From a drawing to a shape.
     y_up : bool
         Whether y usually grows upwards.
+    options : dict
+        How it is moved unless told otherwise.
     """
 
     name: str
     drawing: Callable[[Any], Drawing]
     back: Callable[[Drawing], Any]
     y_up: bool
+    options: Mapping[str, Any] = field(default_factory=dict)
 
 
 def kind_of(shape: object, which: str) -> Kind:
@@ -70,6 +84,12 @@ def kind_of(shape: object, which: str) -> Kind:
         return Kind("path data", _from_path_data, _to_path_data, False)
     if isinstance(shape, str | bytes | PathLike | Drawing):
         return Kind("a drawing", _opened, lambda drawing: drawing, False)
+    if getattr(shape, "geom_type", None) in LINES:
+        several = shape.geom_type == "MultiLineString"  # type: ignore[attr-defined]
+        # A geometry has no paint that could fade: what has no partner is drawn, and as little as
+        # can be has none.
+        options = {"change": "draw", "pairing": "loose"}
+        return Kind("a line", _from_lines, lambda d: _to_lines(d, several), True, options)
     if hasattr(shape, "geom_type"):
         return Kind("a geometry", _from_geometry, _to_geometry, True)
     if hasattr(shape, "to_polygons") and hasattr(shape, "vertices"):
@@ -81,7 +101,10 @@ def kind_of(shape: object, which: str) -> Kind:
     if points.ndim == 2 and points.shape[1] == 2 and len(points) >= 3:
         closing = bool((points[0] == points[-1]).all())
         return Kind("an array", _from_points, lambda d: _to_points(d, closing), True)
-    kinds = "path data, a Polygon or MultiPolygon, points (N, 2), a matplotlib Path, or a drawing"
+    kinds = (
+        "path data, a Polygon, a LineString or several of them, points (N, 2), a matplotlib Path, "
+        "or a drawing"
+    )
     raise OptionError(f"the {which} shape is a {type(shape).__name__}; expected {kinds}")
 
 
@@ -156,7 +179,9 @@ def _from_geometry(geometry: Any) -> Drawing:
     rings: list[Outline] = []
     for polygon in polygons:
         if polygon.geom_type != "Polygon":
-            raise OptionError(f"a {polygon.geom_type}: expected a Polygon or a MultiPolygon")
+            raise OptionError(
+                f"a {polygon.geom_type}: expected a Polygon, a LineString, or several of one kind"
+            )
         if polygon.is_empty:
             raise OptionError("a polygon is empty; it encloses no area")
         lines = (polygon.exterior, *polygon.interiors)
@@ -185,6 +210,43 @@ def _to_geometry(drawing: Drawing) -> Any:
             inside[min(around, key=lambda k: shells[k].area)].append(hole)
     made = [shapely.Polygon(outer, own) for outer, own in zip(outers, inside, strict=True)]
     return made[0] if len(made) == 1 else shapely.MultiPolygon(made)
+
+
+def _from_lines(geometry: Any) -> Drawing:
+    """Lines of a width that is nothing beside their size."""
+    outlines = []
+    for line in getattr(geometry, "geoms", [geometry]):
+        points = np.asarray(line.coords, dtype=np.float64)[:, :2]
+        if not np.isfinite(points).all():
+            raise OptionError("a line has a coordinate that is no finite number")
+        points = points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))[: len(points)]]
+        if len(points) < 2:
+            raise OptionError("a line is empty, or a single point")
+        closed = len(points) > 3 and bool((points[0] == points[-1]).all())
+        outlines.append(Outline(line_curves(points[:-1], points[1:]), closed))
+    if not outlines:
+        raise OptionError("a geometry of lines has none")
+    ends = np.concatenate([outline.curves.reshape(-1, 2) for outline in outlines])
+    low, size = ends.min(axis=0), np.ptp(ends, axis=0)
+    width = LINE_WIDTH * float(size.max())
+    style = Style(fill=None, stroke=Stroke(Colour(), width))
+    shapes = tuple(Shape((outline,), style) for outline in outlines)
+    return Drawing(shapes, Box(*low.tolist(), *np.maximum(size, width).tolist()))
+
+
+def _to_lines(drawing: Drawing, several: bool) -> Any:
+    """A LineString, or a MultiLineString where there are several or may be."""
+    import shapely
+
+    size = max(drawing.drawn.width, drawing.drawn.height)
+    found = []
+    for ring in _rings(drawing):
+        points = np.concatenate([ring.curves[:, 0], ring.curves[-1:, 3]])
+        if float(np.ptp(points, axis=0).max()) > LEAST_LENGTH * size:
+            found.append(shapely.LineString(points))
+    if len(found) == 1 and not several:
+        return found[0]
+    return shapely.MultiLineString(found)
 
 
 def _from_mpl(path: Any) -> Drawing:

@@ -84,7 +84,7 @@ class Previews:
     Attributes
     ----------
     bodies : tuple of Carried
-        As they move without any pin.
+        As they move with other pins, or without any.
     """
 
     bodies: tuple[Carried, ...]
@@ -133,6 +133,11 @@ class Previews:
             ]
             found.append(previewed_body(tuple(rings), level))
         return tuple(found)
+
+    def pinned(self, pins: Points) -> frozenset[tuple[int, int]] | None:
+        """Body and ring of all outlines with pins (K, 4); None if one is on none."""
+        found = self._assigned(pins)
+        return None if found is None else frozenset(found)
 
     def _assigned(self, pins: Points) -> dict[tuple[int, int], Floats] | None:
         """Places of pins on the rings that they are on; None if one is on none."""

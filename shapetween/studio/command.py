@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from shapetween.studio.job import Job
-from shapetween.studio.settings import SETTINGS
+from shapetween.studio.settings import ONLY_PAGES, SETTINGS
 
 __all__ = ["arguments", "default_name", "shown"]
 
@@ -38,8 +38,7 @@ def arguments(
         if setting.name not in job.options:
             continue
         if setting.stage == "prepare" or takes is None or setting.name in takes:
-            value = job.options[setting.name]
-            words += [setting.flag, f"{value:.10g}" if isinstance(value, float) else str(value)]
+            words += setting.words(job.options[setting.name])
     return words
 
 
@@ -48,6 +47,7 @@ def default_name(job: Job, ending: str) -> str:
     return "-to-".join(Path(name).stem for name in job.drawings)[:120] + ending
 
 
-def shown(job: Job, paths: Mapping[str, str], out: str) -> str:
+def shown(job: Job, paths: Mapping[str, str]) -> str:
     """The whole line, to be copied into a terminal."""
+    out = default_name(job, ".html" if job.options.get("start") in ONLY_PAGES else ".svg")
     return shlex.join(["shapetween", *arguments(job, paths), "-o", out])

@@ -15,6 +15,7 @@ from typing import Any
 from shapetween.base.errors import OptionError, ShapetweenError
 from shapetween.studio.command import arguments, default_name
 from shapetween.studio.job import Job
+from shapetween.studio.settings import SETTINGS
 
 __all__ = ["OUTPUT", "Export", "Form", "export", "forms", "output_words"]
 
@@ -154,11 +155,25 @@ def export(job: Job, form: str, extra: tuple[str, ...], folder: Path) -> Export:
                 "-o",
                 str(out),
             ]
-            warnings = _ran(words, folder, {str(out): name})
+            warnings = (*_left_out(job, kind), *_ran(words, folder, {str(out): name}))
             return Export(name, _packed(out) if kind.folder else out.read_bytes(), warnings)
     except OSError as error:
         reason = (error.strerror or "it cannot be written").lower()
         raise ShapetweenError(f"{name}: not saved: {reason}") from error
+
+
+def _left_out(job: Job, kind: Form) -> tuple[str, ...]:
+    """Settings of how it plays that a kind of file has no use for, though it plays."""
+    if kind.command != "morph":
+        return ()
+    unused = [
+        setting.label
+        for setting in SETTINGS
+        if setting.stage == "write"
+        and setting.name in job.options
+        and setting.name not in kind.takes
+    ]
+    return (f"Not in such a file: {', '.join(unused)}.",) if unused else ()
 
 
 def _ran(words: list[str], folder: Path, names: Mapping[str, str]) -> tuple[str, ...]:

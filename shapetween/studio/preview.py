@@ -1,4 +1,4 @@
-"""A leg as it may be seen while a pin is dragged, from the leg without any."""
+"""A leg as it may be seen while a pin is dragged, from how it was seen with the pin elsewhere."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,13 +18,17 @@ from shapetween.scene.parts import PairPart
 __all__ = ["previewed"]
 
 
-def previewed(base: Morph, pins: Sequence[Pin], level: Effort = "plane") -> Morph | None:
+def previewed(
+    base: Morph, before: Sequence[Pin], pins: Sequence[Pin], level: Effort = "plane"
+) -> Morph | None:
     """The movement with pins, near enough to what the full result will be.
 
     Parameters
     ----------
     base : Morph
-        Without pins.
+        Prepared with other pins on the same outlines.
+    before : sequence of (ax, ay, bx, by)
+        Those pins.
     pins : sequence of (ax, ay, bx, by)
         Each in its own drawing's user units.
     level : {"line", "plane"}
@@ -34,15 +38,18 @@ def previewed(base: Morph, pins: Sequence[Pin], level: Effort = "plane") -> Morp
     -------
     Morph or None
         None where no outline is moved by itself, one has so many curves that another stands for
-        it, or a pin is on none.
+        it, or the pins are not on the outlines that they were on.
     """
     prepared = base.prepared
     previews = _previews(prepared)
     if previews is None:
         return None
-    rows = np.array(pins, dtype=np.float64).reshape(-1, 4)
-    rows[:, 2:] = mapped(rows[:, 2:], prepared.fit)
-    moved = previews.moved(rows, level)
+    rows = [np.array(some, dtype=np.float64).reshape(-1, 4) for some in (before, pins)]
+    for some in rows:
+        some[:, 2:] = mapped(some[:, 2:], prepared.fit)
+    if previews.pinned(rows[0]) != previews.pinned(rows[1]):
+        return None
+    moved = previews.moved(rows[1], level)
     if moved is None:
         return None
     found = iter(moved)

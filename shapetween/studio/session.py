@@ -8,7 +8,7 @@ from typing import Any
 from shapetween.base.errors import OptionError
 from shapetween.io import files
 from shapetween.studio import settings
-from shapetween.studio.command import default_name, shown
+from shapetween.studio.command import shown
 from shapetween.studio.exports import OUTPUT, Export, Form, export, forms, output_words
 from shapetween.studio.job import Job, job_of
 from shapetween.studio.project import Project, plain_name, project_of, project_text
@@ -93,8 +93,8 @@ class Session:
         return job_of(data, self._files)
 
     def command(self, job: Job) -> dict[str, Any]:
-        """The command line, and what the files would be called."""
-        return {"line": shown(job, self._paths(job), default_name(job, ".svg"))}
+        """The command line."""
+        return {"line": shown(job, self._paths(job))}
 
     def live(self, job: Job) -> Any:
         """A preview."""

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from shapetween.base.errors import OptionError
 
-__all__ = ["SETTINGS", "Setting", "checked_settings"]
+__all__ = ["ONLY_PAGES", "SETTINGS", "Setting", "as_json", "checked_settings"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +34,12 @@ class Setting:
         Of a choice; of an easing, those that the page offers.
     low, high, step : float
         Of a number.
+    none : str
+        What the page calls the default of a choice, where that is none of them.
+    flags : tuple of str
+        Values that are options of their own, such as ``--loose``.
+    needs : str
+        Another setting without which this one changes nothing, and is left out.
     """
 
     name: str
@@ -46,6 +52,15 @@ class Setting:
     low: float = 0.0
     high: float = 0.0
     step: float = 1.0
+    none: str = ""
+    flags: tuple[str, ...] = ()
+    needs: str = ""
+
+    def words(self, value: Any) -> list[str]:
+        """What the command line says of a value that is not the default."""
+        if value in self.flags:
+            return [f"--{value}"]
+        return [self.flag, f"{value:.10g}" if isinstance(value, float) else str(value)]
 
     def checked(self, value: object) -> Any:
         """The value, if it is one.
@@ -79,6 +94,9 @@ class Setting:
         return value
 
 
+#: What needs more than an SVG to be set going by.
+ONLY_PAGES = ("seen", "scroll", "drag")
+
 SETTINGS = (
     Setting(
         "method", "--method", "Method", "prepare", "choice", "projective",
@@ -87,6 +105,14 @@ SETTINGS = (
     Setting("quads", "--quads", "Quads", "prepare", "whole", None, low=1, high=10_000),
     Setting(
         "fit", "--fit", "Fit", "prepare", "choice", "view", ("view", "geometry", "none")
+    ),
+    Setting(
+        "pairing", "--loose, --strict", "Pairing of parts", "prepare", "choice", "normal",
+        ("loose", "normal", "strict"), flags=("loose", "strict"),
+    ),
+    Setting(
+        "change", "--change", "Parts come and go", "prepare", "choice", None,
+        ("fade", "draw", "grow", "slide"), none="each as it lies",
     ),
     Setting(
         "duration", "--duration", "Duration", "write", "real", 2.0, low=0.1, high=86_400, step=0.1
@@ -99,12 +125,23 @@ SETTINGS = (
     Setting(
         "loop", "--loop", "Loop", "write", "choice", "once", ("once", "repeat", "alternate")
     ),
+    Setting(
+        "stagger", "--stagger", "Stagger", "write", "real", 0.0, low=0, high=3600, step=0.1
+    ),
+    Setting(
+        "stagger_by", "--stagger-by", "Stagger by", "write", "choice", "order",
+        ("order", "distance", "left"), needs="stagger",
+    ),
+    Setting(
+        "start", "--start", "Starts on", "write", "choice", "load",
+        ("load", "click", "hover", *ONLY_PAGES),
+    ),
 )  # fmt: skip
 """Every setting, in the order of the page and of the command line."""
 
 
 def checked_settings(given: Mapping[str, object]) -> dict[str, Any]:
-    """What differs from the defaults, in the order of `SETTINGS`.
+    """What differs from the defaults and changes something, in the order of `SETTINGS`.
 
     Raises
     ------
@@ -116,7 +153,12 @@ def checked_settings(given: Mapping[str, object]) -> dict[str, Any]:
         if name not in known:
             raise OptionError(f"options: {name!r} is none of {', '.join(known)}")
     values = {name: known[name].checked(given[name]) for name in known if name in given}
-    return {name: value for name, value in values.items() if value != known[name].default}
+    other = {name: value for name, value in values.items() if value != known[name].default}
+    return {
+        name: value
+        for name, value in other.items()
+        if not known[name].needs or known[name].needs in other
+    }
 
 
 def as_json() -> list[dict[str, Any]]:

@@ -11,11 +11,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from shapetween.studio.job import Job
+from shapetween.studio.job import Job, Leg
 from shapetween.studio.settings import SETTINGS
 
 if TYPE_CHECKING:
-    from shapetween.api import Chain, Morph
+    from shapetween.api import Chain, Morph, Pin
     from shapetween.model.drawing import Drawing
     from shapetween.outline.correspondence import RingCorrespondence
 
@@ -29,7 +29,8 @@ LIVE_KEYFRAMES = 17
 #: Most matchings that are offered: of more none is told from another.
 MOST_ALTERNATIVES = 6
 
-#: Legs without pins that a worker keeps, from which previews start. Each holds a few megabytes.
+#: Legs that a worker keeps, from which previews start. Each holds a few megabytes; with fewer,
+#: going to and fro in a chain begins anew each time.
 KEPT = 4
 
 #: Digits of places that are sent to the page, as a share of the view box: a hundredth of a pixel
@@ -72,26 +73,26 @@ def read(name: str, data: bytes) -> dict[str, Any]:
 
 def live(job: Job) -> dict[str, Any]:
     """The movement of one leg as it may be seen while something is dragged."""
+    from shapetween.api import Morph
     from shapetween.studio.preview import previewed
 
     (leg,) = job.legs
-    free = replace(job, legs=(replace(leg, pins=()),))
-    base = _base(json.dumps(free.plain()), free)
-    moved = previewed(base, leg.pins) if leg.matching == 1 else None
-    return _answer(moved or _moved(job, quick=True), job, LIVE_KEYFRAMES)
+    key = json.dumps(replace(job, legs=(replace(leg, pins=()),)).plain())
+    moved = None
+    if key in _DRAGGED:
+        base, pins = _DRAGGED[key]
+        moved = previewed(base, pins, leg.pins)
+    if moved is None:  # the first of a drag, or nothing of which anything can be kept
+        found = _moved(job, quick=True)
+        assert isinstance(found, Morph)
+        while len(_DRAGGED) >= KEPT:
+            del _DRAGGED[next(iter(_DRAGGED))]
+        moved, _DRAGGED[key] = found, (found, leg.pins)
+    return _answer(moved, job, LIVE_KEYFRAMES)
 
 
-#: The legs that were dragged last, as they move without pins, by what they are.
-_BASES: dict[str, "Morph"] = {}
-
-
-def _base(key: str, job: Job) -> "Morph":
-    """A leg without pins, found once."""
-    if key not in _BASES:
-        while len(_BASES) >= KEPT:
-            del _BASES[next(iter(_BASES))]
-        _BASES[key] = _moved(job, quick=True)  # type: ignore[assignment]
-    return _BASES[key]
+#: The legs that were dragged last, by what they are without pins, and the pins they moved with.
+_DRAGGED: dict[str, "tuple[Morph, tuple[Pin, ...]]"] = {}
 
 
 def full(job: Job) -> dict[str, Any]:
@@ -121,9 +122,7 @@ def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
     from shapetween.api import Morph
     from shapetween.geometry.affine import inverted
 
-    timing = {s.name: job.options[s.name] for s in SETTINGS if s.name in job.options}
-    written = {s.name for s in SETTINGS if s.stage == "write"}
-    settings = {name: value for name, value in timing.items() if name in written}
+    settings = _timing(job)
     if isinstance(moved, Morph):
         legs = [(moved, moved.correspondence, (np.eye(2, 3), inverted(moved.prepared.fit)))]
     else:
@@ -131,20 +130,29 @@ def _answer(moved: "Chain | Morph", job: Job, keyframes: Any) -> dict[str, Any]:
         legs = list(zip(moved.legs, moved.correspondence, pairwise(back), strict=True))
     return {
         "svg": moved.svg(keyframes=keyframes, **settings),
-        "seconds": _seconds(job, settings),
+        "seconds": _seconds(moved, settings),
         "warnings": list(moved.warnings),
         "legs": [_leg(*leg) for leg in legs],
     }
 
 
-def _seconds(job: Job, settings: dict[str, Any]) -> float:
+def _timing(job: Job) -> dict[str, Any]:
+    """How the movement is written for the stage, which sets it going by itself."""
+    write = {setting.name for setting in SETTINGS if setting.stage == "write"} - {"start"}
+    return {name: value for name, value in job.options.items() if name in write}
+
+
+def _seconds(moved: "Chain | Morph", settings: dict[str, Any]) -> float:
     """How long all of it takes, until it stops or starts over."""
     from shapetween.formats.options import write_options
+    from shapetween.formats.paced import paced
+    from shapetween.formats.segments import Segments
     from shapetween.timing.timeline import Timeline
 
     options = write_options(settings)
-    ways = (options.duration,) * len(job.legs)
-    return Timeline(ways, options.loop, options.hold, job.closed).seconds
+    segments, options = paced(Segments(moved.movements, moved.closed, "", ()), options)
+    ways = (options.duration,) * len(segments.movements)
+    return Timeline(ways, options.loop, options.hold, moved.closed).seconds
 
 
 def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
@@ -153,14 +161,25 @@ def _moved(job: Job, *, quick: bool) -> "Chain | Morph":
     prepared = {s.name for s in SETTINGS if s.stage == "prepare"}
     options = {name: value for name, value in job.options.items() if name in prepared}
     if quick:
-        options["folds"] = "allow"
+        options["effort"] = "plane"
     if len(job.legs) == 1:
         leg = job.legs[0]
         options["matching"] = leg.matching
-        matches = [tuple(match.split(":", 1)) for match in leg.matches]
-        return morph(*map(Path, job.drawings), pins=leg.pins, matches=matches, **options)  # type: ignore[arg-type]
-    pins = {k: leg.pins for k, leg in enumerate(job.legs, start=1) if leg.pins}
-    return chain(map(Path, job.drawings), pins=pins, **options)
+        a, b = map(Path, job.drawings)
+        return morph(a, b, pins=leg.pins, matches=_pairs(leg), **options)
+    legs = dict(enumerate(job.legs, start=1))
+    return chain(
+        map(Path, job.drawings),
+        pins={k: leg.pins for k, leg in legs.items()},
+        matches={k: _pairs(leg) for k, leg in legs.items()},
+        matching={k: leg.matching for k, leg in legs.items()},
+        **options,
+    )
+
+
+def _pairs(leg: Leg) -> list[tuple[str, str]]:
+    """Shapes that become each other, both sides of each."""
+    return [(one, other) for match in leg.matches for one, _, other in [match.partition(":")]]
 
 
 def _leg(leg: "Morph", known: "tuple[RingCorrespondence, ...]", fits: Any) -> dict[str, Any]:

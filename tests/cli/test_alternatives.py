@@ -56,7 +56,7 @@ def test_batches_take_a_number_a_row(run: Command) -> None:
         ("morph hand.svg claw.svg --matching 99", "matching: 99 is none; these outlines have"),
         ("morph hand.svg claw.svg --matching 2 --pin 2,1:1,1", "2 and pins exclude each other"),
         ("morph hand.svg claw.svg --matching 0", "--matching"),
-        ("frames hand.svg claw.svg hand.svg --matching 2", "--matching: concerns one pair"),
+        ("frames hand.svg claw.svg hand.svg --matching 2", "--matching: of which of the 2 legs?"),
         ("alternatives hand.svg claw.svg --matching 2", "all are shown; expected none here"),
         ("alternatives hand.svg claw.svg --pin 2,1:1,1", "pins say what becomes what"),
         ("alternatives hand.svg claw.svg -o out.svg", "written as .html or .htm"),

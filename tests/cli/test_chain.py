@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.commands import Command, listing
+from tests.cli.commands import Command, listing, svg
+
+INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
 
 
 def length(text: str) -> float:
@@ -68,7 +70,7 @@ def test_the_report_of_a_chain(run: Command, tmp_path: Path) -> None:
     assert all(leg["rings"][0]["quads"] >= 1 for leg in report["legs"])
 
 
-@pytest.mark.parametrize("option", ["--match x:y", "--mesh mesh.json"], ids=["match", "mesh"])
+@pytest.mark.parametrize("option", ["--mesh mesh.json", "--flip b"], ids=["mesh", "flip"])
 def test_what_concerns_one_pair_is_refused(run: Command, option: str) -> None:
     for command in ("morph", "frames"):
         result = run(f"{command} a.svg b.svg a.svg {option}")
@@ -77,6 +79,54 @@ def test_what_concerns_one_pair_is_refused(run: Command, option: str) -> None:
         assert result.err.startswith(f"shapetween: error: {name}: concerns one pair, and here are")
         assert result.err.count("\n") == 1
         assert not result.made
+
+
+def test_matches_and_matchings_of_a_leg(run: Command, tmp_path: Path) -> None:
+    """What is said of a leg is what is said of it as a pair."""
+    two = '<path id="p" d="M1 1h3v3h-3Z"/><path id="q" d="M5 5h4v4h-4Z"/>'
+    (tmp_path / "two.svg").write_text(svg(two), "utf-8")
+    (tmp_path / "other.svg").write_text(svg(two.replace("h3", "h2").replace("h4", "h3")), "utf-8")
+    report = "morph two.svg other.svg two.svg --report r.json -o x.svg --match "
+    assert run(report + "2/p:q --match 2/q:p --match 1/#1:#1").code == 0
+    legs = json.loads((tmp_path / "r.json").read_text("utf-8"))["legs"]
+    said = [
+        {part["from"]["name"]: part["to"]["name"] for part in leg["parts"] if part["to"]}
+        for leg in legs
+    ]
+    assert said == [{"p": "p", "q": "q"}, {"p": "q", "q": "p"}]
+    horse, kangaroo = (INPUTS / f"{name}.svg" for name in ("horse", "kangaroo"))
+    chain = f"morph {horse} {kangaroo} {horse} --folds allow --report r.json -o y.svg"
+    assert run(f"{chain} --matching 2/3").code == 0
+    legs = json.loads((tmp_path / "r.json").read_text("utf-8"))["legs"]
+    pair = f"morph {kangaroo} {horse} --folds allow --report r.json -o y.svg"
+    assert run(f"{pair} --matching 3").code == 0
+    alone = json.loads((tmp_path / "r.json").read_text("utf-8"))
+    assert legs[1]["rings"][0]["matching"] == alone["rings"][0]["matching"]
+    assert legs[0]["rings"][0]["matching"] != alone["rings"][0]["matching"]
+
+
+@pytest.mark.parametrize(
+    ("option", "said"),
+    [
+        (
+            "--match p:q",
+            "--match: of which of the 2 legs? Expected it before, such as --match 1/p:q",
+        ),
+        ("--matching 2", "--matching: of which of the 2 legs?"),
+        ("--matching 3/2", "--matching 3/...: there are 2 legs"),
+        ("--matching 2/2 --matching 2/3", "--matching: 2 of leg 2; expected one"),
+        ("--matching 2/x", "is not a number from 1 to 100, nor LEG/K"),
+        ("--matching 2/0", "is not a number from 1 to 100, nor LEG/K"),
+        ("--match 0/p:q", "is not IDA:IDB, such as tail:tail-fin, nor LEG/IDA:IDB"),
+        ("--match 2/p", "is not IDA:IDB"),
+    ],
+)
+def test_what_legs_there_are_is_said(run: Command, option: str, said: str) -> None:
+    result = run(f"morph a.svg b.svg a.svg {option}")
+    assert result.code == 2
+    assert said in result.err
+    assert result.err.count("\n") == 1
+    assert not result.made
 
 
 def test_no_drawing_of_a_chain_is_overwritten(run: Command) -> None:

@@ -3,6 +3,9 @@
 import json
 from pathlib import Path
 
+from shapetween.studio.command import shown
+from shapetween.studio.job import job_of
+from shapetween.studio.settings import SETTINGS
 from tests.cli.commands import SQUARE, TRIANGLE, Command, svg
 
 
@@ -32,6 +35,40 @@ def test_a_chain_of_a_project(run: Command, tmp_path: Path) -> None:
     (tmp_path / "p.json").write_text(text, "utf-8")
     assert run("morph --project p.json -o x.svg").code == 0
     run("morph a.svg b.svg a.svg -o same.svg --pin 2/2,2:1,1")
+    made = (tmp_path / "x.svg").read_text("utf-8")
+    assert made == (tmp_path / "same.svg").read_text("utf-8")
+
+
+def test_every_setting_of_the_studio_is_heard(run: Command, tmp_path: Path) -> None:
+    options = {
+        "method": "arap", "quads": 4, "fit": "geometry", "pairing": "loose", "change": "fade",
+        "duration": 1.5, "hold": 0.5, "easing": "ease", "loop": "alternate", "stagger": 0.2,
+        "stagger_by": "left", "start": "click",
+    }  # fmt: skip
+    assert set(options) == {setting.name for setting in SETTINGS}
+    (tmp_path / "p.json").write_text(project(options=options), "utf-8")
+    assert run("morph --project p.json -o x.svg").code == 0
+    line = (
+        "morph a.svg b.svg -o same.svg --method arap --quads 4 --fit geometry --loose --change fade"
+        " --duration 1.5 --hold 0.5 --easing ease --loop alternate --stagger 0.2 --stagger-by left"
+        " --start click"
+    )
+    assert run(line).code == 0
+    made = (tmp_path / "x.svg").read_text("utf-8")
+    assert made == (tmp_path / "same.svg").read_text("utf-8")
+    names = {"a.svg": "a.svg", "b.svg": "b.svg"}
+    job = job_of({"drawings": list(names), "options": options}, names)
+    assert shown(job, names) == (
+        "shapetween " + line.replace(" -o same.svg", "") + " -o a-to-b.svg"
+    )
+
+
+def test_matches_and_matchings_of_a_projects_legs(run: Command, tmp_path: Path) -> None:
+    legs = [{"matches": ["#1:#1"]}, {"matches": ["#1:#1"], "matching": 1}]
+    text = project(order=["one.svg", "b.svg", "one.svg"], legs=legs)
+    (tmp_path / "p.json").write_text(text, "utf-8")
+    assert run("morph --project p.json -o x.svg").code == 0
+    run("morph a.svg b.svg a.svg -o same.svg --match 1/#1:#1 --match 2/#1:#1")
     made = (tmp_path / "x.svg").read_text("utf-8")
     assert made == (tmp_path / "same.svg").read_text("utf-8")
 

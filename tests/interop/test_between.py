@@ -63,6 +63,76 @@ def test_what_is_in_several_pieces() -> None:
     assert f(0.5).geom_type == "MultiPolygon"
 
 
+STEPS = np.linspace(0, 3, 40)
+WAVE = shapely.LineString(np.column_stack([STEPS, np.sin(3 * STEPS)]))
+OTHER = shapely.LineString(np.column_stack([STEPS, 1.4 * np.cos(2 * STEPS)])[:25])
+
+
+def near(a: shapely.Geometry, b: shapely.Geometry) -> bool:
+    return bool(a.hausdorff_distance(b) < 1e-12 * a.length)
+
+
+def test_lines() -> None:
+    f = between(WAVE, OTHER)
+    made = f(np.linspace(0, 1, 5))
+    assert {line.geom_type for line in made} == {"LineString"}
+    assert len({len(line.coords) for line in made}) == 1
+    assert near(made[0], WAVE)
+    assert near(made[-1], OTHER)
+    ends = np.array([line.coords[0] for line in made])
+    np.testing.assert_allclose(ends, np.linspace(ends[0], ends[-1], 5), atol=0.2)
+
+
+def test_lines_in_several_pieces() -> None:
+    """What has no partner is drawn; at both ends nothing is there that was not given."""
+    several = shapely.MultiLineString([WAVE, shapely.LineString([(0, 3), (3, 3)])])
+    other = shapely.MultiLineString(
+        [OTHER, [(0, 2.5), (3, 3.5)], [(4, 0), (4, 1), (5, 2)]]  # one more
+    )
+    f = between(several, other)
+    assert near(f(0.0), several)
+    assert near(f(1.0), other)
+    assert f(0.5).geom_type == "MultiLineString"
+    assert len(f(0.0).geoms) == 2
+    assert len(f(1.0).geoms) == 3
+    assert f(0.5).length > 0.5 * several.length
+
+
+def test_a_round_line_opens() -> None:
+    ring = shapely.LinearRing([(0, 0), (1, 0), (1, 1), (0, 1)])
+    f = between(shapely.LineString(ring.coords), WAVE)
+    assert f(0.0).is_closed
+    assert f(0.0).hausdorff_distance(ring) < 1e-12
+    assert near(f(1.0), WAVE)
+    still = between(ring, shapely.LinearRing([(2, 0), (3, 0), (3, 1), (2, 1)]))(0.5)
+    assert still.is_closed
+
+
+def test_lines_have_y_upwards_and_pins() -> None:
+    pin = (
+        float(STEPS[20]),
+        float(np.sin(3 * STEPS[20])),
+        float(STEPS[5]),
+        1.4 * np.cos(2 * STEPS[5]),
+    )
+    up = between(WAVE, OTHER, pins=[pin])
+    at = int(np.linalg.norm(np.array(up(0.0).coords) - pin[:2], axis=1).argmin())
+    np.testing.assert_allclose(up(1.0).coords[at], pin[2:], atol=1e-6)
+    flipped = [shapely.transform(line, lambda xy: xy * [1, -1]) for line in (WAVE, OTHER)]
+    down = between(*flipped, y_up=False, pins=[(pin[0], -pin[1], pin[2], -pin[3])])
+    np.testing.assert_allclose(
+        np.array(up(0.4).coords), np.array(down(0.4).coords) * [1, -1], atol=1e-9
+    )
+
+
+def test_lines_of_any_unit_move_alike() -> None:
+    """The width that a line is given is a share of its size."""
+    middle = np.array(between(WAVE, OTHER)(0.5).coords)
+    for unit in (1e-6, 1e6):
+        scaled = [shapely.transform(line, lambda xy, u=unit: xy * u) for line in (WAVE, OTHER)]
+        np.testing.assert_allclose(np.array(between(*scaled)(0.5).coords) / unit, middle, atol=1e-6)
+
+
 def test_path_data() -> None:
     f = between("M0 0H9V9H0Z", "M4.5 0C9 0 9 9 4.5 9S0 0 4.5 0Z")
     assert f(0.0).startswith("M")
@@ -131,7 +201,11 @@ def test_pins_are_kept() -> None:
         (3, L, "the first shape is a int"),
         (L, [[0, 0], [1, 1]], "the second shape is a list"),
         ("M0 0H9V9Z", "M0 0Hx", "path data"),
-        (shapely.LineString([(0, 0), (1, 1)]), SQUARE, "LineString"),
+        (shapely.LineString([(0, 0), (1, 1)]), SQUARE, "is a line, and the second a geometry"),
+        (shapely.Point(1, 1), SQUARE, "a Point: expected"),
+        (shapely.LineString(), WAVE, "empty, or a single point"),
+        (shapely.MultiLineString(), WAVE, "has none"),
+        (shapely.LineString([(0, 0), (np.inf, 1)]), WAVE, "finite"),
         (shapely.Polygon(), SQUARE, "empty"),
         (np.full((4, 2), np.nan), L, "finite"),
         (L, np.zeros((5, 2)), "encloses no"),

@@ -321,6 +321,34 @@ def test_settings_change_the_result_and_the_line(studio: Studio) -> None:
     assert studio.text("#clock") == "1.60 s"
 
 
+def test_every_setting_is_in_the_page_and_in_the_line(studio: Studio) -> None:
+    for name, value in (
+        ("pairing", "strict"), ("change", "grow"), ("fit", "geometry"), ("start", "click"),
+        ("stagger", "0.25"), ("hold", "0.5"), ("quads", "20"),
+    ):  # fmt: skip
+        field = f"#set-{name}"
+        if studio.page.evaluate("(css) => document.querySelector(css).localName", field) == "input":
+            studio.page.fill(field, value)
+            studio.page.keyboard.press("Tab")
+        else:
+            studio.page.select_option(field, value)
+    studio.page.select_option("#set-stagger_by", "left")  # is there since something staggers
+    studio.rest()
+    line = studio.text("#command")
+    assert "--quads 20 --fit geometry --strict --change grow --hold 0.5" in line
+    assert "--stagger 0.25 --stagger-by left --start click" in line
+    studio.page.select_option("#set-change", "")
+    studio.page.fill("#set-stagger", "0")
+    studio.page.keyboard.press("Tab")
+    studio.rest()
+    assert "--change" not in studio.text("#command")
+    assert "--stagger" not in studio.text("#command")
+    assert studio.page.is_hidden("#set-stagger_by")
+    studio.page.select_option("#set-start", "scroll")
+    studio.rest()
+    assert studio.text("#command").endswith("--start scroll -o horse-to-kangaroo.html")
+
+
 def test_a_wrong_setting_is_one_line_and_the_work_goes_on(studio: Studio) -> None:
     studio.page.select_option("#set-easing", "own")
     studio.page.fill("[aria-label='Easing curve']", "wobbly")
@@ -465,6 +493,44 @@ def test_a_chain_has_legs_with_pins_of_their_own(studio: Studio) -> None:
     studio.page.click("#chain-move-1")
     studio.rest()
     assert studio.text("#name-a") == "A: kangaroo.svg"
+
+
+def test_parts_and_matchings_are_of_a_leg(studio: Studio, tmp_path: Path) -> None:
+    for k in range(3):
+        left, right = f"M{1 + k} 1h6v6h-6Z", f"M{10 + k} 9l5 8h-5Z"
+        text = svg(f'<path d="{left}"/><path fill="#f00" d="{right}"/>', "0 0 20 20")
+        (tmp_path / f"{'abc'[k]}.svg").write_text(text, "utf-8")
+    paths = [tmp_path / f"{name}.svg" for name in "abc"]
+    studio.client.server.session.open_paths(paths)
+    studio.page.evaluate("sessionStorage.removeItem('shapetween-work')")
+    studio.page.reload()
+    studio.rest()
+    studio.page.click("#chain-leg-1")
+    studio.rest()
+    studio.page.click("#mode-parts")
+    for key in ("a1", "b2"):
+        studio.page.focus(f"[data-part='{key}']")
+        studio.page.keyboard.press("Enter")
+    studio.rest()
+    assert "--match '2/#1:#2'" in studio.text("#command")
+    assert "1 pair" in studio.text("#chain-leg-1")
+    shown = studio.client.call(
+        "/api/full", {"drawings": ["a.svg", "b.svg", "c.svg"], "legs": [{}, {"matches": ["#1:#2"]}]}
+    )
+    assert shown.json["svg"] == st.chain(paths, matches={2: [("#1", "#2")]}).svg()
+    studio.page.click("#chain-leg-0")
+    studio.rest()
+    assert studio.page.locator("#part-list tbody tr").count() == 0
+
+
+def test_another_matching_of_a_leg_is_one_click(studio: Studio) -> None:
+    studio.take(INPUTS / "camel.svg")
+    studio.page.click("#chain-leg-1")
+    studio.rest()
+    studio.until(lambda: studio.page.locator("#alternatives button").count() > 1)
+    studio.page.click("#alternatives button:nth-child(2)")
+    studio.rest()
+    assert "--matching 2/2" in studio.text("#command")
 
 
 def test_work_is_saved_and_opened_and_survives_a_reload(studio: Studio, tmp_path: Path) -> None:

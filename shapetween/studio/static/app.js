@@ -120,10 +120,6 @@ function draw() {
   table(said);
   parts.draw();
   ids["pin-list"].hidden = mode !== "pins";
-  const alone = s.legs.length > 1;
-  ids["mode-parts"].disabled = alone;
-  ids["mode-parts"].title = alone ? "Parts are paired in a movement of two drawings" : "Say which part becomes which";
-  if (alone && mode === "parts") choose("pins");
   if (mode === "parts") { ids.hint.textContent = "Click a part of A and then what it becomes in B. Shift for several, Delete for nothing."; return; }
   ids.hint.textContent = s.legs[s.leg].pins.length
     ? "Drag either end of a pin along the outline. The same colour is the same place."

@@ -49,8 +49,10 @@ export class Chain {
   }
 
   leg(k, pressed, count) {
-    const { drawings, legs } = state.current(), pins = legs[k].pins.length;
-    const text = pins ? `→ ${pins} pin${pins > 1 ? "s" : ""}` : "→";
+    const { drawings, legs } = state.current(), { pins, matches, matching } = legs[k];
+    const counted = (n, what) => (n ? [`${n} ${what}${n > 1 ? "s" : ""}`] : []);
+    const settled = [...counted(pins.length, "pin"), ...counted(matches.length, "pair"), ...(matching > 1 ? [`no. ${matching}`] : [])];
+    const text = ["→", settled.join(", ")].filter(Boolean).join(" ");
     const title = `Look at leg ${k + 1}: ${drawings[k]} to ${drawings[k + 1]}`;
     const made = button(text, title, () => {
       state.settle();

@@ -30,12 +30,13 @@ export class Panel {
     };
     input.addEventListener("change", changed);
     if (own) own.addEventListener("change", changed);
-    return { setting, input, own };
+    return { setting, input, own, label };
   }
 
   /** Show what is set. */
   show(options) {
-    for (const { setting, input, own } of this.fields) {
+    for (const { setting, input, own, label } of this.fields) {
+      label.hidden = Boolean(setting.needs) && !(setting.needs in options);
       const value = setting.name in options ? options[setting.name] : setting.default;
       if (own) {
         const known = setting.choices.includes(value);
@@ -49,6 +50,7 @@ export class Panel {
 
 function choices(setting) {
   const select = document.createElement("select");
+  if (setting.none) select.append(new Option(setting.none, ""));
   for (const choice of setting.choices) select.append(new Option(choice, choice));
   if (setting.kind === "easing") select.append(new Option("own curve…", OWN));
   return select;
@@ -76,7 +78,7 @@ function read(setting, input, own) {
     if (!own.value) { own.focus(); return undefined; }
     return own.value;
   }
-  if (setting.choices.length) return input.value;
+  if (setting.choices.length) return input.value || setting.default;
   if (input.value === "") return setting.default;
   const value = Number(input.value);
   return Number.isFinite(value) ? value : undefined;
