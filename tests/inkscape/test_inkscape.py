@@ -3,7 +3,9 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
+import venv
 from pathlib import Path
 
 import pytest
@@ -14,20 +16,43 @@ from shapetween.inkscape import FILES, extensions_folder, install
 from shapetween.svg.read.reader import read_svg
 
 SYSTEM = Path("/usr/share/inkscape/extensions")
-PYTHON = Path("/usr/bin/python3")
 INPUTS = Path(__file__).resolve().parents[2] / "gallery" / "inputs"
 
+#: What Inkscape's library needs of a Python. Debian only recommends these beside Inkscape.
+NEEDED = ("lxml", "cssselect", "numpy", "tinycss2", "pyserial", "requests")
 
-def has_inkex() -> bool:
-    """Whether the system's Python can run extensions of an installed Inkscape."""
-    if not (SYSTEM / "inkex").is_dir() or not PYTHON.exists():
+#: Seconds that the whole of Inkscape may take: some 3 on an idle machine.
+PATIENCE = 240
+
+
+def can_inkex(program: Path) -> bool:
+    """Whether a Python can run extensions of the installed Inkscape."""
+    if not program.exists():
         return False
     environment = {**os.environ, "PYTHONPATH": str(SYSTEM)}
-    words = [str(PYTHON), "-c", "import inkex"]
+    words = [str(program), "-c", "import inkex"]
     return not subprocess.run(words, env=environment, capture_output=True, check=False).returncode
 
 
-inkex = pytest.mark.skipif(not has_inkex(), reason="no Inkscape with its Python on this machine")
+@pytest.fixture(scope="session")
+def inkex(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A Python that can run extensions: the system's, else one with what its Inkscape lacks."""
+    if not (SYSTEM / "inkex").is_dir():
+        pytest.skip("no Inkscape on this machine")
+    system = Path("/usr/bin/python3")
+    if can_inkex(system):
+        return system
+    folder = tmp_path_factory.mktemp("inkex")
+    venv.create(folder, with_pip=True)
+    program = folder / "bin" / "python3"
+    words = [str(program), "-m", "pip", "install", "--quiet", *NEEDED]
+    try:
+        subprocess.run(words, capture_output=True, timeout=180, check=False)
+    except subprocess.TimeoutExpired:
+        pytest.skip("Inkscape's Python lacks lxml, and it cannot be fetched")
+    if not can_inkex(program):
+        pytest.skip("Inkscape's Python lacks lxml, and it cannot be fetched")
+    return program
 
 
 def data(name: str) -> str:
@@ -54,12 +79,14 @@ def drawing(tmp_path: Path) -> Path:
     return path
 
 
-def extension(folder: Path, drawing: Path, *words: str) -> subprocess.CompletedProcess[str]:
+def extension(
+    python: Path, folder: Path, drawing: Path, *words: str, **variables: str
+) -> subprocess.CompletedProcess[str]:
     """Run the script as Inkscape does, without its window."""
     install(folder)
-    environment = {**os.environ, "PYTHONPATH": str(SYSTEM)}
+    environment = {**os.environ, "PYTHONPATH": str(SYSTEM), **variables}
     return subprocess.run(
-        [str(PYTHON), str(folder / FILES[1]), *words, str(drawing)],
+        [str(python), str(folder / FILES[1]), *words, str(drawing)],
         env=environment,
         capture_output=True,
         text=True,
@@ -83,11 +110,10 @@ def test_the_folder_is_inkscapes_own(monkeypatch: pytest.MonkeyPatch, tmp_path: 
     assert extensions_folder() == tmp_path / "extensions"
 
 
-@inkex
-def test_in_betweens_as_groups(drawing: Path, tmp_path: Path) -> None:
+def test_in_betweens_as_groups(inkex: Path, drawing: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.svg"
     words = ("--id=horse", "--id=kangaroo", "--steps=4", f"--output={out}")
-    done = extension(tmp_path / "ext", drawing, *words)
+    done = extension(inkex, tmp_path / "ext", drawing, *words)
     assert done.returncode == 0, done.stderr
     text = out.read_text("utf-8")
     assert text.count('inkscape:label="In-between ') == 4
@@ -103,11 +129,10 @@ def test_in_betweens_as_groups(drawing: Path, tmp_path: Path) -> None:
     assert left[-1] - left[0] > 10
 
 
-@inkex
-def test_layers_by_name_even_a_hidden_one(drawing: Path, tmp_path: Path) -> None:
+def test_layers_by_name_even_a_hidden_one(inkex: Path, drawing: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.svg"
     names = ("--first_layer=One", "--second_layer=Two", "--make=layers", "--steps=2")
-    done = extension(tmp_path / "ext", drawing, *names)
+    done = extension(inkex, tmp_path / "ext", drawing, *names)
     assert done.returncode == 0, done.stderr
     text = done.stdout
     assert (
@@ -122,16 +147,14 @@ def test_layers_by_name_even_a_hidden_one(drawing: Path, tmp_path: Path) -> None
     assert not out.exists()
 
 
-@inkex
-def test_an_animated_file(drawing: Path, tmp_path: Path) -> None:
+def test_an_animated_file(inkex: Path, drawing: Path, tmp_path: Path) -> None:
     made = tmp_path / "moving.svg"
     words = ("--id=horse", "--id=kangaroo", "--make=file", f"--file={made}", "--loop=alternate")
-    done = extension(tmp_path / "ext", drawing, *words)
+    done = extension(inkex, tmp_path / "ext", drawing, *words)
     assert done.returncode == 0, done.stderr
     assert "<animate" in made.read_text("utf-8")
 
 
-@inkex
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -143,9 +166,9 @@ def test_an_animated_file(drawing: Path, tmp_path: Path) -> None:
     ],
 )
 def test_what_cannot_be_done_is_said(
-    drawing: Path, tmp_path: Path, words: tuple[str, ...], said: str
+    inkex: Path, drawing: Path, tmp_path: Path, words: tuple[str, ...], said: str
 ) -> None:
-    done = extension(tmp_path / "ext", drawing, *words)
+    done = extension(inkex, tmp_path / "ext", drawing, *words)
     if "--steps=0" in words:  # two frames, the ends: nothing in between, and no fault
         assert done.returncode == 0
         return
@@ -154,28 +177,46 @@ def test_what_cannot_be_done_is_said(
     assert "Traceback" not in done.stderr
 
 
-@inkex
-@pytest.mark.skipif(
-    "SHAPETWEEN_INKSCAPE" not in os.environ
-    or shutil.which("xvfb-run") is None
-    or shutil.which("inkscape") is None,
-    reason="starts the whole of Inkscape; set SHAPETWEEN_INKSCAPE where it and xvfb-run are there",
-)
-def test_inkscape_itself_runs_it(drawing: Path, tmp_path: Path) -> None:
+def test_warnings_are_said_unless_nobody_looks_on(
+    inkex: Path, drawing: Path, tmp_path: Path
+) -> None:
+    words = ("--id=horse", "--id=kangaroo", "--steps=1")
+    said = [
+        extension(inkex, tmp_path / "ext", drawing, *words, **quiet).stderr
+        for quiet in ({}, {"SHAPETWEEN_QUIET": "1"})
+    ]
+    assert "little certainty" in said[0]
+    assert said[1] == ""
+
+
+def test_inkscape_itself_runs_it(inkex: Path, drawing: Path, tmp_path: Path) -> None:
     """The whole program: it lists the extension, and runs it on what is selected."""
+    if shutil.which("xvfb-run") is None or shutil.which("inkscape") is None:
+        pytest.skip("no xvfb-run, which gives Inkscape a screen to start on")
     profile = tmp_path / "profile"
     install(profile / "extensions")
     out = tmp_path / "out.svg"
     actions = (
         f"select-by-id:horse,kangaroo;org.shapetween.tween.noprefs;export-filename:{out};export-do"
     )
-    done = subprocess.run(
-        ["xvfb-run", "-a", "inkscape", "--batch-process", f"--actions={actions}", str(drawing)],
-        env={**os.environ, "INKSCAPE_PROFILE_DIR": str(profile)},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
+    (profile / "preferences.xml").write_text(
+        f'<inkscape version="1"><group id="extensions" python-interpreter="{inkex}"/></inkscape>'
     )
-    assert out.exists(), done.stderr
+    variables = {"INKSCAPE_PROFILE_DIR": str(profile), "SHAPETWEEN_QUIET": "1"}
+    done = subprocess.Popen(
+        ["xvfb-run", "-a", "inkscape", "--batch-process", f"--actions={actions}", str(drawing)],
+        env={**os.environ, **variables},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        _, said = done.communicate(timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        os.killpg(done.pid, signal.SIGKILL)  # the screen and Inkscape with it
+        done.communicate()
+        pytest.fail("Inkscape waits: does the extension say something, which it shows in a window?")
+    assert out.exists(), said
     assert out.read_text("utf-8").count('inkscape:label="In-between ') == 5

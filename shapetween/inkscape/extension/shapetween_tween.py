@@ -25,6 +25,10 @@ CALL = HERE / "shapetween_program.json"
 #: What Inkscape sets for its own Python, which would mislead another one.
 OURS = ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH", "PYTHONSTARTUP", "VIRTUAL_ENV")
 
+#: Set where nobody looks on. Inkscape shows what an extension says in a window and waits until it
+#: is closed, in batches too, which then hang.
+QUIET = "SHAPETWEEN_QUIET"
+
 #: Seconds after which the program is taken for stuck.
 PATIENCE = 600
 
@@ -247,6 +251,8 @@ def run(words, folder):
     said = [line[len("shapetween: ") :] for line in lines if line.startswith("shapetween: ")]
     if done.returncode:
         raise inkex.AbortExtension("\n".join(said or lines[-3:] or ["shapetween was cut off."]))
+    if os.environ.get(QUIET):
+        return
     for line in said:
         inkex.errormsg(line.replace(str(folder) + os.sep, ""))
 
