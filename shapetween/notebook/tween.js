@@ -50,7 +50,7 @@ function render({ model, el }) {
     .art { opacity: .3; pointer-events: none; } .hue { fill: none; stroke-width: 4; vector-effect: non-scaling-stroke; pointer-events: none; }
     .pin { cursor: grab; outline: none; } .pin circle { fill: #1d1d22; stroke: #fff; stroke-width: 2.5; vector-effect: non-scaling-stroke; }
     .pin:focus circle { stroke: #4b3fd1; } .pin text { fill: #fff; font-weight: 700; text-anchor: middle; dominant-baseline: central; pointer-events: none; }
-    input { width: 100%; accent-color: #4b3fd1; margin-top: 8px; } ul { margin: 4px 0 0; padding-left: 18px; font: 12px system-ui, sans-serif; color: #8a4b00; }`;
+    input { width: 100%; box-sizing: border-box; accent-color: #4b3fd1; margin: 8px 0 0; } ul { margin: 4px 0 0; padding-left: 18px; font: 12px system-ui, sans-serif; color: #8a4b00; }`;
   const row = document.createElement("div"), slider = document.createElement("input"), said = document.createElement("ul");
   row.className = "row";
   Object.assign(slider, { type: "range", min: 0, max: 1, step: 0.001 });

@@ -5,8 +5,8 @@ parts of the outline go is the very matching of the full result; how they get th
 straight, or in an ambient mesh that no quads lead and nobody checks.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
@@ -38,6 +38,10 @@ Effort = Literal["line", "plane", "full"]
 #: as that of the full result, or a pin that is shown while it is dragged is refused after.
 PIN_REACH = 0.05
 
+#: Ends of pins whose places are kept, of a ring. More are of drags long past; fewer than a leg has
+#: pins, and each step of a drag looks for all of them anew.
+MOST_KNOWN = 1000
+
 
 @dataclass(frozen=True, eq=False)
 class _Kept:
@@ -46,6 +50,7 @@ class _Kept:
     ring: RingMatch
     turned: float
     sizes: tuple[float, float]
+    _known: dict[tuple[int, float, float], tuple[float, float]] = field(default_factory=dict)
 
     @cached_property
     def matcher(self) -> Matcher:
@@ -61,12 +66,20 @@ class _Kept:
 
     def places(self, pins: Points) -> tuple[Floats, Floats]:
         """Places of pins on both ends, (K, 2), and how far off those are, in sizes, (K, 2)."""
-        found = [
-            length.nearest(points)
-            for length, points in zip(self.lengths, (pins[:, :2], pins[:, 2:]), strict=True)
-        ]
-        off = np.stack([distance for _, distance in found], axis=1) / self.sizes
-        return np.stack([place for place, _ in found], axis=1), off
+        rows = pins.tolist()
+        ends = [[self._nearest(k, row[2 * k], row[2 * k + 1]) for k in (0, 1)] for row in rows]
+        found = np.array(ends).reshape(-1, 2, 2)
+        return found[..., 0], found[..., 1]
+
+    def _nearest(self, side: int, x: float, y: float) -> tuple[float, float]:
+        """Place and distance of one end of a pin; of what is dragged only one end is new."""
+        key = side, x, y
+        if key not in self._known:
+            place, distance = self.lengths[side].nearest(np.array([[x, y]]))
+            if len(self._known) >= MOST_KNOWN:
+                self._known.clear()
+            self._known[key] = float(place[0]), float(distance[0]) / self.sizes[side]
+        return self._known[key]
 
     def matched(self, places: Floats) -> RingMatch:
         """The ring with pins at places."""
@@ -85,14 +98,21 @@ class Previews:
     ----------
     bodies : tuple of Carried
         As they move with other pins, or without any.
+    pinned : frozenset of (int, int)
+        Body and ring of the outlines that those pins are on.
     """
 
     bodies: tuple[Carried, ...]
+    pinned: frozenset[tuple[int, int]]
     _rings: dict[tuple[int, int], _Kept]
 
     @classmethod
-    def of(cls, bodies: Sequence[Carried]) -> "Previews | None":
-        """Made ready; None where outlines are of so many curves that coarse shapes are matched."""
+    def of(cls, bodies: Sequence[Carried], pins: Points) -> "Previews | None":
+        """Made ready, of bodies that move with pins (K, 4).
+
+        None where outlines are of so many curves that coarse shapes are matched, or a pin is on
+        none.
+        """
         rings = {(b, r): ring for b, body in enumerate(bodies) for r, ring in _rings(body)}
         if any(ring.coarse for ring in rings.values()):
             return None
@@ -103,10 +123,14 @@ class Previews:
                 ends = ring.source, ring.target
                 sizes = [float(np.linalg.norm(np.ptp(end.box, axis=0))) for end in ends]
             kept[key] = _Kept(ring, turned, (sizes[0], sizes[1]))
-        return cls(tuple(bodies), kept)
+        mine = _assigned(kept, pins)
+        return None if mine is None else cls(tuple(bodies), frozenset(mine), kept)
 
     def moved(self, pins: Points, level: Effort) -> tuple[Carried, ...] | None:
-        """All bodies with these pins, those without any as they were; None if one is on no ring.
+        """All bodies with these pins, those without any as they were.
+
+        None if pins are not on the very outlines that they were on: what an outline does without
+        them is not known.
 
         Parameters
         ----------
@@ -119,8 +143,8 @@ class Previews:
         OptionError
             If a pin is not in the order of the others.
         """
-        mine = self._assigned(pins)
-        if mine is None:
+        mine = _assigned(self._rings, pins)
+        if mine is None or frozenset(mine) != self.pinned:
             return None
         found = []
         for b, body in enumerate(self.bodies):
@@ -134,25 +158,21 @@ class Previews:
             found.append(previewed_body(tuple(rings), level))
         return tuple(found)
 
-    def pinned(self, pins: Points) -> frozenset[tuple[int, int]] | None:
-        """Body and ring of all outlines with pins (K, 4); None if one is on none."""
-        found = self._assigned(pins)
-        return None if found is None else frozenset(found)
 
-    def _assigned(self, pins: Points) -> dict[tuple[int, int], Floats] | None:
-        """Places of pins on the rings that they are on; None if one is on none."""
-        keys = list(self._rings)
-        if not len(pins):
-            return {}
-        found = [self._rings[key].places(pins) for key in keys]
-        off = np.stack([far for _, far in found])
-        sums = np.where((off <= PIN_REACH).all(axis=2), off.sum(axis=2), np.inf)
-        nearest = sums.argmin(axis=0)
-        if not np.isfinite(sums.min(axis=0)).all():
-            return None
-        return {
-            key: found[k][0][nearest == k] for k, key in enumerate(keys) if (nearest == k).any()
-        }
+def _assigned(
+    rings: Mapping[tuple[int, int], _Kept], pins: Points
+) -> dict[tuple[int, int], Floats] | None:
+    """Places of pins on the rings that they are on; None if one is on none."""
+    keys = list(rings)
+    if not len(pins):
+        return {}
+    found = [rings[key].places(pins) for key in keys]
+    off = np.stack([far for _, far in found])
+    sums = np.where((off <= PIN_REACH).all(axis=2), off.sum(axis=2), np.inf)
+    nearest = sums.argmin(axis=0)
+    if not np.isfinite(sums.min(axis=0)).all():
+        return None
+    return {key: found[k][0][nearest == k] for k, key in enumerate(keys) if (nearest == k).any()}
 
 
 def _rings(body: Carried) -> list[tuple[int, RingMatch]]:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from shapetween.api import Morph, Pin
+from shapetween.base.arrays import Points
 from shapetween.fill.parts import FilledPart
 from shapetween.geometry.affine import mapped
 from shapetween.outline.preview import Effort, Previews
@@ -41,15 +42,8 @@ def previewed(
         it, or the pins are not on the outlines that they were on.
     """
     prepared = base.prepared
-    previews = _previews(prepared)
-    if previews is None:
-        return None
-    rows = [np.array(some, dtype=np.float64).reshape(-1, 4) for some in (before, pins)]
-    for some in rows:
-        some[:, 2:] = mapped(some[:, 2:], prepared.fit)
-    if previews.pinned(rows[0]) != previews.pinned(rows[1]):
-        return None
-    moved = previews.moved(rows[1], level)
+    previews = _previews(prepared, tuple(map(tuple, before)))
+    moved = None if previews is None else previews.moved(_in_frame(pins, prepared), level)
     if moved is None:
         return None
     found = iter(moved)
@@ -82,6 +76,13 @@ def _followed(track: Track, fresh: dict[int, FilledPart]) -> Track:
 
 
 @lru_cache(maxsize=4)  # by identity; as many as legs are kept
-def _previews(prepared: Prepared) -> Previews | None:
+def _previews(prepared: Prepared, pins: tuple[Pin, ...]) -> Previews | None:
     bodies = [body for part in prepared.filled for body in part.bodies]
-    return Previews.of(bodies) if bodies else None
+    return Previews.of(bodies, _in_frame(pins, prepared)) if bodies else None
+
+
+def _in_frame(pins: Sequence[Pin], prepared: Prepared) -> Points:
+    """Pins (K, 4), both ends in the movement's frame."""
+    rows = np.array(pins, dtype=np.float64).reshape(-1, 4)
+    rows[:, 2:] = mapped(rows[:, 2:], prepared.fit)
+    return rows
