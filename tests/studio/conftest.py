@@ -50,7 +50,7 @@ class Client:
         token: str | None = TOKEN,
         **headers: str,
     ) -> Answer:
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=600)
         sent = {"Host": f"127.0.0.1:{self.port}"}
         if token is not None:
             sent["Authorization"] = f"Bearer {token}"
