@@ -1,6 +1,8 @@
 """The studio's page in a real browser: what a person does, and what they see of it."""
 
+import errno
 import json
+import os
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -112,6 +114,12 @@ class Studio:
         return (
             str(self.page.evaluate(f"{SHAPE}.getAttribute('d')")),
             str(self.page.evaluate(f"{SHAPE}.querySelector('animate').getAttribute('values')")),
+        )
+
+    def shapes(self) -> str:
+        """Path data of all shapes on the stage, at rest and on their way."""
+        return str(
+            self.page.evaluate("document.getElementById('stage').shadowRoot.firstChild.outerHTML")
         )
 
     def place(self, side: str, share: float, kind: str = ".hue") -> tuple[float, float]:
@@ -560,6 +568,124 @@ def test_a_closed_tab_loses_nothing(studio: Studio, browser: Any, client: Client
         assert again.pins() == pins
 
 
+def many(shift: float) -> str:
+    """A drawing of thirty parts, odd ones, each where it is and a little other than before."""
+    steps = np.arange(14)
+    parts = []
+    for k in range(30):
+        radius = 3 + np.cos(steps * (2 + k % 3) + shift) + 0.5 * np.sin(5 * steps + k)
+        angle = 2 * np.pi * steps / len(steps)
+        x, y = 10 * (k % 6) + 5 + shift, 10 * (k // 6) + 5 + shift
+        points = np.column_stack([x + radius * np.cos(angle), y + radius * np.sin(angle)])
+        d = "M" + "L".join(f"{a:.3f} {b:.3f}" for a, b in points) + "Z"
+        parts.append(f'<path id="p{k}" fill="hsl({12 * k} 70% 50%)" d="{d}"/>')
+    return svg("".join(parts), "0 0 62 52")
+
+
+def test_thirty_parts_stay_live(studio: Studio, tmp_path: Path) -> None:
+    """While the hand goes on, one movement after another is shown."""
+    paths = [tmp_path / "one.svg", tmp_path / "two.svg"]
+    for k, path in enumerate(paths):
+        path.write_text(many(0.6 * k), "utf-8")
+    studio.client.server.session.open_paths(paths)
+    studio.page.evaluate("sessionStorage.removeItem('shapetween-work')")
+    studio.page.reload()
+    studio.rest()
+    seen = {studio.shapes()}
+    start, end = studio.place("b", 0.3), studio.place("b", 0.5)
+    studio.page.mouse.move(*start)
+    studio.page.mouse.down()
+    share = iter(np.tile(np.linspace(0.1, 1, 40), 100))
+
+    def on() -> bool:
+        part = float(next(share))
+        studio.page.mouse.move(*(a + part * (b - a) for a, b in zip(start, end, strict=True)))
+        seen.add(studio.shapes())
+        return len(seen) > 4
+
+    studio.until(on, 90)
+    studio.page.mouse.up()
+    studio.rest()
+    (pin,) = studio.pins()
+    assert holds(st.morph(*paths, pins=[pin]).svg(), studio.shape())
+
+
+def test_two_tabs_have_work_of_their_own(studio: Studio, browser: Any, client: Client) -> None:
+    with opened(browser, client) as other:
+        other.open()
+        other.rest()
+        before = other.shape()
+        studio.drag("b", studio.place("b", 0.3), studio.place("b", 0.36))
+        studio.page.mouse.up()
+        other.page.select_option("#set-method", "arap")
+        for tab in (studio, other):
+            tab.rest()
+        assert len(studio.pins()) == 1
+        assert other.pins() == []
+        assert other.shape() != before
+        assert "--method" not in studio.text("#command")
+
+
+def test_killed_workers_lose_nothing(studio: Studio) -> None:
+    studio.drag("b", studio.place("b", 0.3), studio.place("b", 0.34))
+    workers = studio.client.server.session.workers
+    workers._live.stop()
+    for worker in [*workers._idle, *workers._busy.values()]:
+        worker.stop()
+    studio.page.mouse.up()
+    studio.rest()
+    pins = studio.pins()
+    assert len(pins) == 1
+    before = studio.shape()
+    studio.drag("b", studio.place("b", 0.6), studio.place("b", 0.64))
+    studio.until(lambda: studio.shape() != before)
+    studio.page.mouse.up()
+    studio.rest()
+    assert studio.pins()[:1] == pins
+    studio.problems[:] = [p for p in studio.problems if "422" not in p]  # what was cut off
+
+
+def test_a_full_disk_at_export_is_one_line(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: Any, **__: Any) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    studio.click_outline("a", 0.3)
+    studio.rest()
+    monkeypatch.setattr("shapetween.studio.exports.tempfile.TemporaryDirectory", full)
+    studio.page.click("#export")
+    studio.page.click("#export-go")
+    studio.until(lambda: "no space left" in studio.text("#export-state"))
+    studio.page.keyboard.press("Escape")
+    assert len(studio.pins()) == 1
+    studio.problems[:] = [p for p in studio.problems if "422" not in p]
+
+
+def test_lines_take_pins(studio: Studio, tmp_path: Path) -> None:
+    stroke = '<path fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" d="{}"/>'
+    shapes = "M4 20L12 6L20 20", "M4 8Q12 24 20 8"
+    paths = [tmp_path / "peak.svg", tmp_path / "bowl.svg"]
+    for path, d in zip(paths, shapes, strict=True):
+        path.write_text(svg(stroke.format(d), "0 0 24 24"), "utf-8")
+    studio.client.server.session.open_paths(paths)
+    studio.page.evaluate("sessionStorage.removeItem('shapetween-work')")
+    studio.page.reload()
+    studio.rest()
+    studio.drag("b", studio.place("b", 0.4), studio.place("b", 0.6))
+    studio.page.mouse.up()
+    studio.rest()
+    (pin,) = studio.pins()
+    assert holds(st.morph(*paths, pins=[pin]).svg(), studio.shape())
+
+
+def test_a_file_as_large_as_is_taken(studio: Studio, tmp_path: Path) -> None:
+    large = tmp_path / "large.svg"
+    text = svg('<path d="M1 1H9V9H1Z"/>')
+    padding = 8 * 1024 * 1024 - len(text) - len("<!---->")
+    large.write_text(f"{text}<!--{'x' * padding}-->", "utf-8")
+    studio.take(large)
+    assert studio.page.locator("#chain .item").count() == 3
+
+
 def test_broken_files_are_one_line(studio: Studio, tmp_path: Path) -> None:
     (tmp_path / "broken.svg").write_text("<svg", "utf-8")
     studio.page.set_input_files("#files", [str(tmp_path / "broken.svg")])
@@ -597,7 +723,7 @@ def test_nothing_is_in_the_way_of_anybody(
         studio.click_outline("a", 0.3)
         studio.rest()
         studio.page.add_script_tag(content=axe)
-        for show in ("", "#help", "#export"):
+        for show in ("", "#help", "#export", "#mode-parts"):
             if show:
                 studio.page.click(show)
             found = studio.page.evaluate("axe.run()")
@@ -610,3 +736,9 @@ def test_nothing_is_in_the_way_of_anybody(
             assert serious == []
             if show:
                 studio.page.keyboard.press("Escape")
+    with opened(browser, client, size, color_scheme=scheme, bypass_csp=True) as studio:
+        client.server.session._last = {}  # with nothing opened yet
+        studio.open()
+        studio.page.add_script_tag(content=axe)
+        found = studio.page.evaluate("axe.run()")
+        assert [f for f in found["violations"] if f["impact"] in ("serious", "critical")] == []
