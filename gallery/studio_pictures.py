@@ -4,6 +4,7 @@ Run it in a checkout: ``python gallery/studio_pictures.py``. It needs playwright
 """
 
 import io
+import os
 import shutil
 import tempfile
 import time
@@ -17,7 +18,7 @@ from shapetween.studio.server import Server
 from shapetween.studio.session import Session
 
 GALLERY = Path(__file__).resolve().parent
-INPUTS = GALLERY / "inputs"
+INPUTS = Path("gallery") / "inputs"
 
 #: Where a stretch of an outline is on the page.
 PLACE = """([side, stretch]) => {
@@ -71,7 +72,8 @@ def take(browser: Any, session: Session) -> None:
     for stretch in (5, 13):
         page.mouse.click(*page.evaluate(PLACE, ["a", stretch]))
         rest(page)
-    start = page.evaluate(PLACE, ["b", 13])
+    box = page.locator("#b [aria-label^='Pin 2']").bounding_box()
+    start = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(*start)
     page.mouse.down()
     for k in range(1, 9):
@@ -93,6 +95,7 @@ def take(browser: Any, session: Session) -> None:
 
 
 if __name__ == "__main__":
+    os.chdir(GALLERY.parent)  # the command line in the picture names no place of this machine
     program = shutil.which("chromium") or shutil.which("google-chrome")
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         session = Session(Path(folder))

@@ -107,11 +107,11 @@ SETTINGS = (
         "fit", "--fit", "Fit", "prepare", "choice", "view", ("view", "geometry", "none")
     ),
     Setting(
-        "pairing", "--loose, --strict", "Pairing of parts", "prepare", "choice", "normal",
+        "pairing", "--loose, --strict", "Pairing", "prepare", "choice", "normal",
         ("loose", "normal", "strict"), flags=("loose", "strict"),
     ),
     Setting(
-        "change", "--change", "Parts come and go", "prepare", "choice", None,
+        "change", "--change", "Come and go", "prepare", "choice", None,
         ("fade", "draw", "grow", "slide"), none="each as it lies",
     ),
     Setting(
