@@ -33,7 +33,9 @@ from shapetween.scene.motion.choose import SAME, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
+from shapetween.scene.relations import perceive
 from shapetween.scene.strokes import as_lines
+from shapetween.scene.whole import frame_between, turns_over
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -239,13 +241,28 @@ def _moved(
             scene = move_scene(one, other, boxes, asked, settings, names)
             return (), (*said, *more, *scene.notices), scene
     if not (free and _two_outlines(one, other)):
-        one, other = as_lines(one, other)
+        one, other = _lined(one, other, boxes)
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
         return (part,), told, None
     scene = move_scene(one, other, boxes, asked, settings, names)
     return (), (*said, *more, *scene.notices), scene
+
+
+def _lined(
+    one: Sequence[Item], other: Sequence[Item], views: tuple[Points, Points]
+) -> tuple[tuple[Item, ...], tuple[Item, ...]]:
+    """Both drawings' items, with areas that are outlined strokes as lines.
+
+    Where one drawing is the other turned, but just one of them would have lines, neither has: they
+    are alike.
+    """
+    found = as_lines(one, other)
+    uneven = len(one) == len(other) and len(found[0]) != len(found[1])
+    if uneven and frame_between(perceive(one, views[0]), perceive(other, views[1])) is not None:
+        return tuple(one), tuple(other)
+    return found
 
 
 def _two_outlines(one: Sequence[Item], other: Sequence[Item]) -> bool:
@@ -267,6 +284,8 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
     if settings.meshed or settings.folds == "allow" or len(settings.pins) or settings.choice > 1:
         return True
     if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
+        return False
+    if turns_over(one, other):
         return False
     if is_blob(one) and is_blob(other) and register(one.outer, other.outer) is None:
         return False

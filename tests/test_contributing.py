@@ -22,6 +22,7 @@ QUESTIONS = {
     "a new measure in `compare`": "Figures",
     "`<text>`": "text",
     "which shape pairs with which": "Roles",
+    "what is an eye, a mouth, a wheel": "EYE",
 }
 
 

@@ -14,8 +14,11 @@ from shapetween.scene.costs import (
     fixed_terms,
     parents_cost,
     relations_cost,
+    same_things,
 )
+from shapetween.scene.evidence import Evidence, twins_cost
 from shapetween.scene.relations import Scene
+from shapetween.scene.sets import Ordered
 
 __all__ = ["Role", "Roles", "alike_in_place", "assign"]
 
@@ -25,6 +28,9 @@ ROUNDS = 6
 #: Greatest departure of two items that are alike in place: way and distance of outlines, as shares
 #: of the drawing and of their size, logarithm of sizes, and sum of colours.
 SAME_PLACE, SAME_OUTLINE, SAME_SIZE, SAME_COLOUR = 0.012, 0.04, 0.06, 0.15
+
+#: Way, as a share of the size, and logarithm of sizes, up to which a pair hardly changes.
+HARDLY = 0.25
 
 #: Cost of a pair that is settled.
 SETTLED = -2.0
@@ -96,12 +102,16 @@ def assign(
         What leaving alone costs, times this.
     """
     count = len(a.items), len(b.items)
-    table = sum(fixed_terms(a, b).values(), np.zeros(count))
+    evidence = Evidence.of(a, b)
+    ordered = evidence.ordered
+    table = sum(fixed_terms(a, b, evidence).values(), np.zeros(count))
     never = np.zeros(count, dtype=bool) if barred is None else barred.copy()
     never |= a.sheets[:, None] != b.sheets
     # A fill's outline goes where the fill goes, so to another outline or to nothing.
-    never |= (a.outlined >= 0)[:, None] != (b.outlined >= 0)
+    never |= ((a.outlined >= 0)[:, None] != (b.outlined >= 0)) & ~_nearly_same(a, b)
     settled = dict.fromkeys(given, "given")
+    if not settled:
+        settled = dict.fromkeys(_all_in_order(a, b, ordered, never), "alike")
     settled |= dict.fromkeys(alike_in_place(a, b, never, settled), "alike")
     for i, j in settled:
         never[i, :] = never[:, j] = True
@@ -120,7 +130,10 @@ def assign(
             latest = relations_cost(a, b, now)
             relation = latest if relation is None or turn < 2 else (relation + latest) / 2
             costs = table + parents_cost(a, b, now) + relation
-        costs = axes_cost(a, b, costs)
+        sets = [costs[first, second].mean() for first, second in ordered]
+        costs = twins_cost(axes_cost(a, b, costs), evidence)
+        for (first, second), mean in zip(ordered, sets, strict=True):  # all of a set or none
+            costs[first, second] = mean
         for i, j in settled:
             costs[i, j] = SETTLED
         costs = np.where(never, np.inf, costs)
@@ -128,6 +141,7 @@ def assign(
         if history is not None and _same(history, now) and turn > 2:
             break
     assert now is not None
+    now = _both_or_neither(now, a, b, evidence, settled)
     pairs = tuple(
         Role(int(i), int(j), float(cost), settled.get((int(i), int(j)), "matched"))
         for i, j, cost in zip(now.first, now.second, now.costs, strict=True)
@@ -144,21 +158,55 @@ def assign(
     )
 
 
+def _both_or_neither(
+    now: Current, a: Scene, b: Scene, evidence: Evidence, settled: dict[tuple[int, int], str]
+) -> Current:
+    """The pairs without those whose mate on either side is left alone.
+
+    Lines may have other reasons, and what stays the same thing may lose its mate.
+    """
+    made = [np.zeros(len(scene.items), dtype=bool) for scene in (a, b)]
+    made[0][now.first] = made[1][now.second] = True
+    kept = np.ones(len(now.first), dtype=bool)
+    same = same_things(a, b)[now.first, now.second] > 0
+    for scene, own, done, features in zip(
+        (a, b), (now.first, now.second), made, evidence.features, strict=True
+    ):
+        filled = np.array([item.filled for item in scene.items])
+        twins = [features.twins, *(axis.mates for axis in scene.axes if axis.flips == 0)]
+        for mates in twins:
+            other = mates[own]
+            kept &= same | (other < 0) | (other == own) | done[other] | ~filled[own]
+    for k, pair in enumerate(zip(now.first.tolist(), now.second.tolist(), strict=True)):
+        kept[k] |= pair in settled
+    return Current(now.first[kept], now.second[kept], now.costs[kept])
+
+
+def _all_in_order(a: Scene, b: Scene, ordered: Ordered, never: Mask) -> list[tuple[int, int]]:
+    """Pairs of two drawings that are one set each, of as many members."""
+    for first, second in ordered:
+        if len(first) == (~a.sheets).sum() and len(second) == (~b.sheets).sum():
+            pairs = zip(first.tolist(), second.tolist(), strict=True)
+            return [(i, j) for i, j in pairs if not never[i, j]]
+    return []
+
+
 def _same(one: Current, other: Current) -> bool:
     return np.array_equal(one.first, other.first) and np.array_equal(one.second, other.second)
 
 
 def _cheapest(costs: Floats, left: Floats, right: Floats) -> Current:
     """Pairs of least total cost; each item may be left alone at its price."""
-    height, width = costs.shape
-    table = np.full((height + width, height + width), np.inf)
-    rank = np.abs(np.arange(height)[:, None] / height - np.arange(width) / width)
-    table[:height, :width] = np.round(costs, DECIMALS) + TIE * rank
-    table[np.arange(height), width + np.arange(height)] = np.round(left, DECIMALS)
-    table[height + np.arange(width), np.arange(width)] = np.round(right, DECIMALS)
-    table[height:, width:] = 0.0
-    rows, columns = cheapest_pairs(table)
-    made = (rows < height) & (columns < width)
+    rank = np.abs(
+        np.arange(len(costs))[:, None] / len(costs) - np.arange(len(costs[0])) / len(costs[0])
+    )
+    # To leave both alone costs nothing here: all that pairs save is below it.
+    saved = (
+        np.round(costs, DECIMALS) - np.round(left, DECIMALS)[:, None] - np.round(right, DECIMALS)
+    )
+    saved = np.minimum(saved + TIE * rank, 0.0)
+    rows, columns = cheapest_pairs(saved)
+    made = saved[rows, columns] < 0
     rows, columns = rows[made], columns[made]
     return Current(rows, columns, costs[rows, columns])
 
@@ -195,6 +243,15 @@ def alike_in_place(
             taken[0].add(i)
             taken[1].add(j)
     return pairs
+
+
+def _nearly_same(a: Scene, b: Scene) -> Mask:
+    """Which pairs hardly move or change: gleams are taken for outlines at one time or another."""
+    away = np.linalg.norm(a.centres[:, None] - b.centres, axis=-1)
+    near = away < HARDLY * np.minimum(a.sizes[:, None], b.sizes)
+    near &= np.abs(np.log(a.sizes[:, None] / b.sizes)) < HARDLY
+    near &= np.abs(a.colours[:, None] - b.colours).sum(axis=-1) < SAME_COLOUR
+    return np.asarray(near)
 
 
 def _outlines_apart(one: Floats, other: Floats) -> float:

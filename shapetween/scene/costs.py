@@ -4,41 +4,46 @@ Every term is a function from two scenes to a table, (N, M). The weights were fo
 halved or doubled, each but the price of leaving alone changes few pairs.
 """
 
-from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index
-from shapetween.fill.naming import is_given
+from shapetween.base.ranking import comparable
+from shapetween.scene.evidence import (
+    Evidence,
+    features_cost,
+    named_saving,
+    sets_cost,
+    sole_saving,
+    unique_saving,
+)
 from shapetween.scene.forms import Blob, Dot, OpenLine, RoundedBox, Segment
-from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["Current", "alone", "axes_cost", "fixed_terms", "parents_cost", "relations_cost"]
+__all__ = [
+    "Current",
+    "alone",
+    "axes_cost",
+    "fixed_terms",
+    "parents_cost",
+    "relations_cost",
+    "same_things",
+]
 
 #: Weights: way as a share of the drawing, factor e in size and in aspect, a right angle of
 #: direction, a right angle of bending, colour, and form.
-PLACE, SIZE, ASPECT, DIRECTION, BENDING, COLOUR, FORM = 2.2, 0.45, 0.25, 1.3, 0.4, 1.3, 0.5
+PLACE, SIZE, ASPECT, DIRECTION, BENDING, COLOUR, FORM = 2.6, 0.45, 0.35, 1.3, 0.4, 1.3, 0.5
 
 #: What it costs to be of another class of forms, to be open or closed, straight and closed, and
 #: area or line.
-CLASS, OPEN, NEVER, KIND = 0.3, 0.35, 3.0, 1.2
+CLASS, OPEN, NEVER, KIND = 0.35, 0.35, 3.0, 1.0
 
-#: What a pair as large as the drawing saves, one of a colour that both drawings have once, and one
-#: of a name that both have.
-LARGE, UNIQUE, NAMED = 0.6, 0.9, 0.4
-
-#: What a pair saves of which each is the only thing of its kind and colour in what it lies in.
-SOLE = 0.6
-
-#: What it saves where nearly all of several colours are in both drawings once, and how many at
-#: least.
-PALETTE, SEVERAL = 3.0, 3
+#: What a pair as large as the drawing saves.
+LARGE = 0.4
 
 #: What a pair saves that is one thing in two places.
-SAME = 0.4
+SAME = 0.5
 
 #: What a pair costs whose parents are not one, and of which only one has a parent.
 OTHER_PARENT, ORPHAN = 0.7, 0.35
@@ -46,6 +51,16 @@ OTHER_PARENT, ORPHAN = 0.7, 0.35
 #: Weight of how the way to others changes; what touching differently adds to it; and how soon
 #: others count less the farther they are, as a share of the drawing.
 RELATION, TOUCH, NEAR = 1.4, 0.12, 0.08
+
+#: What other forms cost one feature of both drawings, as a share: a mouth may be a line or an area.
+LENIENT = 0.4
+
+#: What it costs to go across an axis that both drawings have; and how far from it, as a share of
+#: the drawing, something lies on a side.
+CROSSING, ASIDE = 0.6, 0.04
+
+#: What each factor e of size costs more beyond that of `TWICE`, a logarithm.
+RATIO, TWICE = 0.6, 0.69
 
 #: What counts beside all other pairs, as a share of the drawing: one weak pair cannot overthrow a
 #: good one.
@@ -61,8 +76,9 @@ ALONE, ALONE_LARGE = 0.55, 0.5
 #: How much longer than wide is long enough to have a direction.
 LONG = 2.0
 
-#: Greatest number of pairs that relations are taken to, the largest ones.
-MOST_RELATED = 40
+#: Numbers of pairs that relations are taken to, the largest ones; and how many tables of all pairs
+#: times that are worth their time. More take longer; fewer know less of where things lie.
+LEAST_RELATED, MOST_RELATED, RELATED_ROOM = 10, 40, 1e7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,22 +96,28 @@ class Current:
     costs: Floats
 
 
-def fixed_terms(a: Scene, b: Scene) -> dict[str, Floats]:
+def fixed_terms(a: Scene, b: Scene, evidence: Evidence) -> dict[str, Floats]:
     """All that does not depend on other pairs, by name."""
+    features, shared = features_cost(*evidence.features)
+    lenient = np.where(shared, LENIENT, 1.0)
     return {
         "place": PLACE * _place(a, b),
-        "size": SIZE * np.abs(np.log(a.sizes[:, None] / b.sizes)),
-        "aspect": ASPECT * np.minimum(np.abs(_aspects(a)[:, None] - _aspects(b)), 2.0),
-        "direction": DIRECTION * _direction(a, b),
-        "bending": BENDING * _bending(a, b),
+        "size": (1 + lenient) / 2 * SIZE * np.abs(np.log(a.sizes[:, None] / b.sizes)),
+        "aspect": lenient * ASPECT * _aspect(a, b),
+        "direction": lenient * DIRECTION * _direction(a, b),
+        "bending": lenient * BENDING * _bending(a, b),
         "colour": COLOUR * np.minimum(_apart(a.colours, b.colours), 0.8),
-        "kind": _kind(a, b),
-        "form": FORM * (1 - in_common(a.pictures, b.pictures)),
+        "kind": lenient * _kind(a, b),
+        "form": lenient * FORM * (1 - in_common(a.pictures, b.pictures)),
         "large": -LARGE * np.minimum(1.0, 2 * np.minimum(*_both(a, b)) / _scale(a, b)),
-        "same": -SAME * _same(a, b),
-        "unique": -UNIQUE * _unique(a.items, b.items),
-        "sole": -SOLE * _sole(a, b),
-        "named": -NAMED * _named(a.items, b.items),
+        "same": -SAME * same_things(a, b),
+        "unique": -unique_saving(a, b),
+        "sole": -sole_saving(a, b),
+        "named": -named_saving(a, b),
+        "features": features,
+        "sets": sets_cost(evidence),
+        "crossing": CROSSING * _crossing(a, b),
+        "ratio": (1 + lenient) / 2 * RATIO * _beyond(a, b),
     }
 
 
@@ -127,10 +149,15 @@ def _place(a: Scene, b: Scene) -> Floats:
     return np.asarray(weight * (way + np.minimum(way, own)) / 2)
 
 
-def _aspects(scene: Scene) -> Floats:
-    sides = np.array([np.ptp(i.box, axis=0) + (0 if i.filled else i.width) for i in scene.items])
-    sides = np.maximum(sides, 1e-3 * scene.scale)
-    return np.asarray(np.log(sides[:, 0] / sides[:, 1]))
+def _aspect(a: Scene, b: Scene) -> Floats:
+    """Difference of how wide things are, at most 2; straight lines have a direction instead."""
+    logs, straight = [], []
+    for s in (a, b):
+        sides = np.array([np.ptp(i.box, axis=0) + (0 if i.filled else i.width) for i in s.items])
+        logs.append(np.log(np.maximum(sides, 1e-3 * s.scale)) @ np.array([1.0, -1.0]))
+        straight.append(np.array([isinstance(form, Segment) for form in s.forms]))
+    differ = np.minimum(np.abs(logs[0][:, None] - logs[1]), 2.0)
+    return np.where(straight[0][:, None] & straight[1], 0.0, differ)
 
 
 def _directions(scene: Scene) -> Floats:
@@ -192,46 +219,32 @@ def _class(form: object) -> int:
     return next(k for k, kind in enumerate(kinds) if isinstance(form, kind))
 
 
-def _same(a: Scene, b: Scene) -> Floats:
-    """Which pairs are one thing in two places: of one size, form, direction, and paint."""
+def same_things(a: Scene, b: Scene) -> Floats:
+    """1 of pairs that are one thing in two places: of one size, form, direction, and paint."""
     same = np.abs(np.log(a.sizes[:, None] / b.sizes)) < 0.05
     same &= in_common(a.pictures, b.pictures) > 0.9
     same &= _apart(a.colours, b.colours) < 0.05
     return same.astype(np.float64)
 
 
-def _sole(a: Scene, b: Scene) -> Floats:
-    """Which pairs are each the only thing of one kind and colour in what they lie in."""
-    keys = []
-    for scene in (a, b):
-        rows = [
-            (int(parent), item.filled, item.closed, *np.round(item.colour, 2).tolist())
-            for parent, item in zip(scene.parents, scene.items, strict=True)
-        ]
-        counts = Counter(rows)
-        keys.append([row[1:] if counts[row] == 1 and row[0] >= 0 else None for row in rows])
-    alike = [[float(i == j and i is not None) for j in keys[1]] for i in keys[0]]
-    return np.array(alike)
+def _beyond(a: Scene, b: Scene) -> Floats:
+    """By how much one of each pair is larger than it should be, a logarithm."""
+    return np.asarray(np.maximum(np.abs(np.log(a.sizes[:, None] / b.sizes)) - TWICE, 0.0))
 
 
-def _unique(a: Sequence[Item], b: Sequence[Item]) -> Floats:
-    """Which pairs have a colour that both drawings have just once, of several."""
-    keys = [[tuple(np.round(i.colour, 3).tolist()) for i in side] for side in (a, b)]
-    counts = [Counter(side) for side in keys]
-    once = {k for k in counts[0] if counts[0][k] == 1 and counts[1][k] == 1}
-    if min(len(count) for count in counts) < 2:
-        once = set()
-    # A whole palette in common is no chance.
-    whole = len(once) >= SEVERAL and len(once) >= 0.8 * max(len(a), len(b))
-    weight = PALETTE / UNIQUE if whole else 1.0
-    return weight * np.array([[float(i == j and i in once) for j in keys[1]] for i in keys[0]])
-
-
-def _named(a: Sequence[Item], b: Sequence[Item]) -> Floats:
-    """Which pairs have one name that an editor gave."""
-    names = [[i.name for i in side] for side in (a, b)]
-    alike = [[float(i == j and bool(i) and not is_given(i)) for j in names[1]] for i in names[0]]
-    return np.array(alike)
+def _crossing(a: Scene, b: Scene) -> Floats:
+    """Which pairs lie on other sides of the axes that both drawings have."""
+    found = np.zeros((len(a.items), len(b.items)), dtype=bool)
+    for one in a.axes:
+        for other in b.axes:
+            if one.flips == other.flips:
+                off = [
+                    (s.centres[:, axis.flips] - axis.place) / s.scale
+                    for s, axis in ((a, one), (b, other))
+                ]
+                aside = (np.abs(off[0]) > ASIDE)[:, None] & (np.abs(off[1]) > ASIDE)
+                found |= aside & (off[0][:, None] * off[1] < 0)
+    return found.astype(np.float64)
 
 
 def parents_cost(a: Scene, b: Scene, now: Current) -> Floats:
@@ -246,20 +259,23 @@ def parents_cost(a: Scene, b: Scene, now: Current) -> Floats:
 
 def relations_cost(a: Scene, b: Scene, now: Current) -> Floats:
     """What it costs that the way to other pairs changes."""
-    scale = _scale(a, b)
     sizes = np.sqrt(a.sizes[now.first] * b.sizes[now.second])
-    kept = np.argsort(-sizes, kind="stable")[:MOST_RELATED]
-    first, second, sizes = now.first[kept], now.second[kept], sizes[kept]
-    ways = [(s.centres[:, None] - s.centres[k]) / s.scale for s, k in ((a, first), (b, second))]
-    change = np.sqrt(((ways[0][:, None] - ways[1]) ** 2).sum(axis=-1))  # (N, M, K)
-    touch = a.touching[:, first][:, None] != b.touching[:, second]
-    near = [1 / (NEAR + np.sqrt((way**2).sum(axis=-1))) for way in ways]
-    weight = np.exp(-np.clip(now.costs[kept], -2, 4)) * sizes / scale
-    weights = weight * np.sqrt(near[0][:, None] * near[1])
-    weights = np.where(np.arange(len(a.items))[:, None, None] == first, 0.0, weights)
-    weights = np.where(np.arange(len(b.items))[:, None] == second, 0.0, weights)
-    total = (weights * (change + TOUCH * touch)).sum(axis=-1)
-    return np.asarray(RELATION * total / (weights.sum(axis=-1) + DAMPED))
+    room = int(np.clip(RELATED_ROOM / (len(a.items) * len(b.items)), LEAST_RELATED, MOST_RELATED))
+    kept = np.argsort(-comparable(sizes), kind="stable")[:room]
+    weights = np.exp(-np.clip(now.costs[kept], -2, 4)) * sizes[kept] / _scale(a, b)
+    total = np.zeros((len(a.items), len(b.items)))
+    weighed = np.full_like(total, DAMPED)
+    for i, j, own in zip(now.first[kept], now.second[kept], weights, strict=True):
+        ways = [(s.centres - s.centres[k]) / s.scale for s, k in ((a, i), (b, j))]
+        x, y = (ways[0][:, None, k] - ways[1][:, k] for k in (0, 1))
+        change = np.sqrt(x * x + y * y)
+        change += TOUCH * (a.touching[:, i][:, None] != b.touching[:, j])
+        near = [np.sqrt(own / (NEAR + np.hypot(*way.T))) for way in ways]
+        weight = near[0][:, None] * near[1]
+        weight[i, :] = weight[:, j] = 0.0
+        total += weight * change
+        weighed += weight
+    return np.asarray(RELATION * total / weighed)
 
 
 def axes_cost(a: Scene, b: Scene, costs: Floats) -> Floats:

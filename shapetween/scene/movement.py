@@ -6,31 +6,28 @@ from functools import cached_property
 
 import numpy as np
 
-from shapetween.base.arrays import Mask, Points
+from shapetween.base.arrays import Points
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
 from shapetween.base.ranking import comparable
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import Claimed, FillSettings
-from shapetween.scene.asked import Asked, Group
-from shapetween.scene.assign import Roles, assign
-from shapetween.scene.cuts import cut_alike_items
+from shapetween.scene.asked import Asked
+from shapetween.scene.assign import Roles
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
 from shapetween.scene.lone import lone_part
-from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame, Shared, Track
 from shapetween.scene.order import Layer, layers_of
+from shapetween.scene.pairing import pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPart, ScenePart, joined_parts, pair_part
-from shapetween.scene.relations import Scene, perceive
-from shapetween.scene.sets import paired_sets
+from shapetween.scene.relations import Scene
 from shapetween.scene.strokes import as_painted
-from shapetween.scene.whole import frame_between, moved_items
 
 __all__ = ["SceneMovement", "move_scene"]
 
@@ -116,30 +113,9 @@ def move_scene(
     kept : sequence of KeptArea
         Items among them of which most stays where it is.
     """
-    with settings.observe("perceive"):
-        a, b = perceive(first, views[0]), perceive(second, views[1])
-        frame = frame_between(a, b) if not (len(asked.pins) or kept) else None
-        if frame is not None:
-            b = perceive(moved_items(b, frame), views[1])
-    with settings.observe("match"):
-        cut = cut_alike_items(a, b, views, asked.groups)
-        a, b = cut.scenes
-        still = {_places_of(area, a, b): area.tracks for area in kept}
-        settled, barred = _settled(a, b, asked.groups)
-        settled += [pair for pair in still if pair not in settled]
-        pinned = pinned_items(asked.pins, a, b)
-        settled += [pair for pair in pinned.values() if pair not in settled]
-        settled += [pair for pair in cut.given if not barred[pair]]
-        if not settled:
-            settled = [pair for pair in paired_sets(a, b) if not barred[pair]]
-        roles = assign(a, b, settled, barred, asked.price)
-        roles = replace(
-            roles,
-            pairs=tuple(
-                replace(role, reason="kept") if (role.first, role.second) in still else role
-                for role in roles.pairs
-            ),
-        )
+    paired = pair_items(first, second, views, asked, kept, settings.observe)
+    (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
+    still = paired.still
     said: list[Notice] = []
     with settings.observe("move"):
         tracks: dict[int, tuple[Track, ...]] = {}
@@ -166,29 +142,6 @@ def move_scene(
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
     return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
-
-
-def _places_of(area: KeptArea, a: Scene, b: Scene) -> tuple[int, int]:
-    """Where the items that stand for a kept area are among all."""
-    items = (area.first, a), (area.second, b)
-    one, other = (
-        next(k for k, item in enumerate(scene.items) if item is own) for own, scene in items
-    )
-    return one, other
-
-
-def _settled(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[int, int]], Mask]:
-    """Pairs of items that groups of shapes settle, and what they bar."""
-    shapes = [np.array([item.shape for item in scene.items]) for scene in (a, b)]
-    barred = np.zeros((len(a.items), len(b.items)), dtype=bool)
-    pairs = []
-    for group in groups:
-        inside = [np.isin(side, named) for side, named in zip(shapes, group, strict=True)]
-        barred |= inside[0][:, None] != inside[1]
-        own = [np.flatnonzero(side) for side in inside]
-        if len(own[0]) == len(own[1]) == 1:
-            pairs.append((int(own[0][0]), int(own[1][0])))
-    return pairs, barred
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:

@@ -15,6 +15,9 @@ from shapetween.scene.places import Pieces
 
 __all__ = ["Blend", "Elastic", "Frame", "Meshless", "Mirrored", "OfPieces", "Shared", "Track"]
 
+#: Least width of a card that turns over, as a share of its own: it is seen on its edge, not gone.
+EDGE = 0.08
+
 
 class Track(Protocol):
     """Rings through time."""
@@ -145,6 +148,8 @@ class Elastic:
 class Frame:
     """A frame that a whole drawing moves in: it turns and stretches evenly about a moving centre.
 
+    Or it turns over about an axis, as a card does: a scale along the other axis goes through zero.
+
     Attributes
     ----------
     centres : (2, 2) float64
@@ -152,17 +157,21 @@ class Frame:
     turn : float
         Radians.
     stretch : (2, 2) float64
-        Symmetric, positive definite; what is left of the map when the turn is taken from it.
+        Symmetric, positive definite but along an axis that turns over; what is left of the map
+        when the turn is taken from it.
+    over : int
+        The coordinate that turns over: 0 for x, 1 for y, -1 for none.
     """
 
     centres: Points
     turn: float
     stretch: Floats
+    over: int = -1
 
     @property
     def growth(self) -> float:
         """By how much lengths grow, on the whole."""
-        return float(np.sqrt(np.linalg.det(self.stretch)))
+        return float(np.sqrt(np.abs(np.linalg.det(self.stretch))))
 
     @property
     def linear(self) -> Floats:
@@ -172,7 +181,12 @@ class Frame:
     def carried(self, points: Points, t: Floats) -> Points:
         """Points (F, ..., 2) of the frame at the times (F,)."""
         time = t[:, None, None]
-        linear = rotations(t * self.turn) @ ((1 - time) * np.eye(2) + time * self.stretch)
+        stretch = (1 - time) * np.eye(2) + time * self.stretch
+        if self.over >= 0:
+            scale = stretch[:, self.over, self.over]
+            thin = np.where(scale < 0, -EDGE, EDGE)
+            stretch[:, self.over, self.over] = np.where(np.abs(scale) < EDGE, thin, scale)
+        linear = rotations(t * self.turn) @ stretch
         centre = (1 - t)[:, None] * self.centres[0] + t[:, None] * self.centres[1]
         flat = (points - self.centres[0]).reshape(len(t), -1, 2)
         moved = flat @ np.swapaxes(linear, 1, 2) + centre[:, None]

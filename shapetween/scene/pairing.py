@@ -1,0 +1,114 @@
+"""From two drawings' items to who becomes whom."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from shapetween.base.arrays import Mask, Points
+from shapetween.base.observe import Observer, unobserved
+from shapetween.scene.asked import Asked, Group
+from shapetween.scene.assign import Roles, assign
+from shapetween.scene.cuts import cut_alike_items
+from shapetween.scene.items import Item
+from shapetween.scene.kept.areas import KeptArea
+from shapetween.scene.motion.pinned import pinned_items
+from shapetween.scene.motion.tracks import Frame, Track
+from shapetween.scene.relations import Scene, perceive
+from shapetween.scene.whole import frame_between, moved_items
+
+__all__ = ["Paired", "pair_items"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Paired:
+    """Two drawings as scenes, and who becomes whom.
+
+    Attributes
+    ----------
+    scenes : (Scene, Scene)
+        The second one as it is in the frame.
+    roles : Roles
+    frame : Frame or None
+        In which the drawings move as a whole.
+    pinned : dict of int to (int, int)
+        The pair that each pin is on.
+    still : dict of (int, int) to tuple of Track
+        Pairs of which most stays where it is, and how the rest moves.
+    """
+
+    scenes: tuple[Scene, Scene]
+    roles: Roles
+    frame: Frame | None
+    pinned: dict[int, tuple[int, int]]
+    still: dict[tuple[int, int], tuple[Track, ...]]
+
+
+def pair_items(
+    first: Sequence[Item],
+    second: Sequence[Item],
+    views: tuple[Points, Points],
+    asked: Asked,
+    kept: Sequence[KeptArea] = (),
+    observe: Observer = unobserved,
+) -> Paired:
+    """See both drawings, cut what becomes several, and find who becomes whom.
+
+    Parameters
+    ----------
+    first, second : sequence of Item
+        In paint order and one frame.
+    views : ((2, 2) float64, (2, 2) float64)
+        What is shown of each drawing, as least and greatest corners.
+    asked : Asked
+    kept : sequence of KeptArea
+        Items among them of which most stays where it is.
+    observe : Observer, optional
+        Told of every stage.
+    """
+    with observe("perceive"):
+        a, b = perceive(first, views[0]), perceive(second, views[1])
+        frame = frame_between(a, b) if not (len(asked.pins) or kept) else None
+        if frame is not None:
+            b = perceive(moved_items(b, frame), views[1])
+    with observe("match"):
+        cut = cut_alike_items(a, b, views, asked.groups)
+        a, b = cut.scenes
+        still = {_places_of(area, a, b): area.tracks for area in kept}
+        settled, barred = _settled(a, b, asked.groups)
+        settled += [pair for pair in still if pair not in settled]
+        pinned = pinned_items(asked.pins, a, b)
+        settled += [pair for pair in pinned.values() if pair not in settled]
+        settled += [pair for pair in cut.given if not barred[pair]]
+        roles = assign(a, b, settled, barred, asked.price)
+        roles = replace(
+            roles,
+            pairs=tuple(
+                replace(role, reason="kept") if (role.first, role.second) in still else role
+                for role in roles.pairs
+            ),
+        )
+    return Paired((a, b), roles, frame, pinned, still)
+
+
+def _places_of(area: KeptArea, a: Scene, b: Scene) -> tuple[int, int]:
+    """Where the items that stand for a kept area are among all."""
+    items = (area.first, a), (area.second, b)
+    one, other = (
+        next(k for k, item in enumerate(scene.items) if item is own) for own, scene in items
+    )
+    return one, other
+
+
+def _settled(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[int, int]], Mask]:
+    """Pairs of items that groups of shapes settle, and what they bar."""
+    shapes = [np.array([item.shape for item in scene.items]) for scene in (a, b)]
+    barred = np.zeros((len(a.items), len(b.items)), dtype=bool)
+    pairs = []
+    for group in groups:
+        inside = [np.isin(side, named) for side, named in zip(shapes, group, strict=True)]
+        barred |= inside[0][:, None] != inside[1]
+        own = [np.flatnonzero(side) for side in inside]
+        if len(own[0]) == len(own[1]) == 1:
+            pairs.append((int(own[0][0]), int(own[1][0])))
+    return pairs, barred
