@@ -85,7 +85,21 @@ def add_twins(
     drawn = list(twins.iter("path"))
     for twin, (path, _) in zip(drawn, shown, strict=True):
         twin.set("d", path.get("d", ""))
+    _share_paint(twins)
     root.insert(list(root).index(run), twins)
+
+
+def _share_paint(group: ET.Element) -> None:
+    """Say once for a group what of fill and stroke is the same in all of it: icons say much."""
+    paths = list(group)
+    if len(paths) < 2 or any(path.tag != "path" for path in paths):
+        return
+    for name, value in list(paths[0].attrib.items()):
+        own = name.startswith(("fill", "stroke"))
+        if own and all(path.get(name) == value for path in paths):
+            group.set(name, value)
+            for path in paths:
+                del path.attrib[name]
 
 
 def _has_animation(element: ET.Element) -> bool:

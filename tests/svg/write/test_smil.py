@@ -16,7 +16,7 @@ from shapetween.base.arrays import Floats
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
-from shapetween.model.paint import Colour, Gradient, Stop, Style
+from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.easing import easing_function
@@ -300,3 +300,19 @@ def test_precision_is_that_of_the_file() -> None:
         text = smil_svg(movement, precision=precision)
         d = moving_paths(ET.fromstring(text))[0].attrib["d"]
         assert max(len(part) for part in re.findall(r"\.(\d+)", d)) == precision
+
+
+def test_the_twin_says_once_what_is_painted_alike() -> None:
+    stroke = Style(None, Stroke(Colour(1, 0, 0), 2.0, cap="round"))
+    parts = tuple(
+        FormulaPart(circle(np.array([x, 50.0]), 9.0), spin(0.3, (5, 0)), stroke, stroke)
+        for x in (30.0, 60.0)
+    )
+    text = smil_svg(Movement(parts, Box(0, 0, 100, 100)))
+    (twin,) = (
+        each
+        for each in ET.fromstring(text).iter(f"{SVG}g")
+        if each.get("class") == "shapetween-still"
+    )
+    assert (twin.get("stroke"), twin.get("stroke-linecap")) == ("#f00", "round")
+    assert [sorted(path.attrib) for path in twin] == [["d"]] * 2
