@@ -27,7 +27,8 @@ PLAY = """async ([text, seconds, options]) => {
         animation.pause();
         animation.currentTime = 1000 * seconds[k];
     });
-    await new Promise(done => setTimeout(done, 50));
+    // Each shows its moment in a frame of its own, however late that comes.
+    for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
 }"""
 
 
