@@ -230,6 +230,8 @@ def test_a_wipe_leaves_exactly_what_is_on_one_side_of_the_line(behind: bool) -> 
         found = abs(shapely.Polygon(flatten(frame, 48)).area)
         assert found == pytest.approx(expected, abs=0.1)
     np.testing.assert_array_equal(curves[:, :, 3], np.roll(curves[:, :, 0], -1, axis=1))
+    gone = track.curves(np.array([0.0 if behind else 1.0]))
+    np.testing.assert_array_equal(np.ptp(gone, axis=(1, 2)), 0)
 
 
 def test_what_slides_never_goes_below_its_foot() -> None:

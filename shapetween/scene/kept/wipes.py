@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Mask, Points
+from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.motion.holes import opened
@@ -101,6 +102,10 @@ class Wiped(Meshless):
         first = np.where(rising[..., None, None], along, drawn)
         second = np.where(rising[..., None, None], drawn, along)
         result = np.stack([first, second], axis=2).reshape(len(t), -1, 4, 2)
+        # What is wiped away is a point: renderers show a line that encloses nothing as a hair.
+        ends = curves[:, [0, 3]].reshape(-1, 2)
+        last = ends[int(comparable(ends @ ahead).argmax())]
+        result[line >= float((ends @ ahead).max())] = last
         return _closed(result, self.counts)
 
 
