@@ -63,8 +63,10 @@ def merged_curves(
     ring = np.repeat(np.arange(len(rings)), rings)
     off = np.zeros(curves.shape[:2])
     for share in SHARES:
+        changed = np.ones(len(ring), bool)
         while len(ring) > 1:
-            pairs = np.flatnonzero(ring[1:] == ring[:-1])
+            # Neighbours that were not one, and have not changed since, are none now.
+            pairs = np.flatnonzero((ring[1:] == ring[:-1]) & (changed[1:] | changed[:-1]))
             first = _disjoint(_near(curves, off, pairs, share * allowed))
             if not len(first):
                 break
@@ -74,6 +76,9 @@ def merged_curves(
             curves[:, first] = whole
             kept = np.ones(len(ring), bool)
             kept[first + 1] = False
+            changed = np.zeros(len(ring), bool)
+            changed[first] = True
+            changed = changed[kept]
             curves, off, ring = curves[:, kept], off[:, kept], ring[kept]
     return curves, tuple(np.bincount(ring, minlength=len(rings)).tolist())
 
@@ -81,7 +86,8 @@ def merged_curves(
 def _near(curves: Curves, off: Floats, pairs: Index, allowed: Floats) -> Index:
     """Those of some pairs, each named by its first curve, that are near one curve at all times."""
     some = np.unique(np.linspace(0, len(curves) - 1, FIRST_LOOK).round().astype(np.intp))
-    pairs = pairs[_all_near(curves[some], off[some], pairs, allowed[some])]
+    for look in (some[:1], some):
+        pairs = pairs[_all_near(curves[look], off[look], pairs, allowed[look])]
     step = max(1, MOST_HELD // (8 * len(curves)))
     parts = [pairs[k : k + step] for k in range(0, len(pairs), step)]
     return np.concatenate(
