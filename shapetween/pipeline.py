@@ -29,7 +29,7 @@ from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.areas import kept_areas
 from shapetween.scene.limbs import with_limbs
-from shapetween.scene.motion.choose import SAME, is_blob
+from shapetween.scene.motion.choose import SAME, corners_suffice, is_blob
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
@@ -283,6 +283,8 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
         return False
     if settings.meshed or settings.folds == "allow" or len(settings.pins) or settings.choice > 1:
         return True
+    if settings.method != "projective" or settings.quads is not None:
+        return True
     if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
         return False
     if turns_over(one, other):
@@ -290,7 +292,9 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
     if is_blob(one) and is_blob(other) and register(one.outer, other.outer) is None:
         return False
     places = [Places(item.outer.clockwise()) for item in (one, other)]
-    return anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is None
+    if anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is not None:
+        return False
+    return not corners_suffice(one, other)
 
 
 def _closed(shape: Shape) -> Shape:

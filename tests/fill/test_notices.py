@@ -48,7 +48,8 @@ def test_a_bare_mesh_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(unfold, "ambient_mesh", failing)
     lean = ring([(10.0, 10), (70, 20), (60, 80), (20, 60)])
-    prepared = prepare(drawing(square(10, 10, 50)), drawing(lean))
+    meshed = Options(together=False)
+    prepared = prepare(drawing(square(10, 10, 50)), drawing(lean), meshed)
     assert "bare-mesh" in kinds(prepared.notices)
     assert any("folding" in warning for warning in prepared.warnings)
 

@@ -29,7 +29,7 @@ ALONE, UNLIKE = 0.12, 0.08
 AWAY = 0.04
 
 #: Places at which two runs are compared, and cells in which an outline's directions are kept.
-SAMPLES, CELLS = 8, 512
+SAMPLES, CELLS = 10, 512
 
 #: Distance of a corner from the end of a part, as a share of the length, that is that end.
 AT = 1e-3
@@ -77,6 +77,7 @@ class _Run:
     starts, ends : (N,) float64
         Of each node, increasing.
     turns, seen : (N,) float64
+    facing : (N,) intp
     length : float
         Of all of it, as a share of the outline's.
     ring : bool
@@ -90,6 +91,7 @@ class _Run:
     ends: Floats
     turns: Floats
     seen: Floats
+    facing: Index
     length: float
     ring: bool
     line: bool = False
@@ -99,12 +101,18 @@ class _Run:
         cls, look: _Look, bends: Bends, low: float, high: float, *, line: bool = False
     ) -> "_Run":
         """The part between two places, which are its first and last node."""
-        middles = low + (bends.middles - low) % 1.0
-        # A corner at either end of the part is that end.
-        first, last = np.abs(middles - low - (middles > low + 0.5)), np.abs(middles - high)
         half = (bends.ends - bends.starts) / 2
-        reach = [float(half[away < AT].max(initial=0.0)) for away in (first, last)]
-        inner = (middles > low) & (middles < high) & (first >= AT) & (last >= AT)
+        middles = low + (bends.middles - low) % 1.0
+        # A corner on or beside either end of the part is that end, and reaches into the part.
+        inner = (middles > low) & (middles < high)
+        reach, turns = [], []
+        for end in (low, high):
+            away = np.abs((bends.middles - end + 0.5) % 1.0 - 0.5)
+            at = away < half + AT
+            reach.append(float((half + away)[at & (half > 0)].max(initial=0.0)))
+            turns.append(float(bends.turns[at].sum()))
+            inner &= ~at
+        reach = np.minimum(reach, (high - low) / 3).tolist()
         order = np.argsort(middles[inner], kind="stable")
         starts, ends = (
             np.clip((middles + side * half)[inner][order], low, high) for side in (-1, 1)
@@ -113,8 +121,9 @@ class _Run:
             look,
             np.concatenate([[low], starts, [high - reach[1]]]),
             np.concatenate([[low + reach[0]], ends, [high]]),
-            np.concatenate([[0.0], bends.turns[inner][order], [0.0]]),
+            np.concatenate([turns[:1], bends.turns[inner][order], turns[1:]]),
             np.concatenate([[0.0], bends.seen[inner][order], [0.0]]),
+            np.concatenate([[-1], bends.facing[inner][order], [-1]]),
             high - low,
             ring=False,
             line=line,
@@ -203,7 +212,7 @@ def ring_knots(source: Places, target: Places) -> tuple[Floats, Floats]:
     if min(len(side) for side in bends) == 0:
         return even, even + shift
     first, second = (
-        _Run(look, side.starts, side.ends, side.turns, side.seen, 1.0, ring=True)
+        _Run(look, side.starts, side.ends, side.turns, side.seen, side.facing, 1.0, ring=True)
         for look, side in zip(looks, bends, strict=True)
     )
     u, v, cost = _through(first, second)
@@ -224,6 +233,12 @@ def _shifted(first: _Look, second: _Look) -> tuple[float, float]:
 
 def _through(first: _Run, second: _Run) -> tuple[Floats, Floats, float]:
     """The cheapest way through the corners of both, as knots, and what it costs."""
+    if not first.ring:
+        for k in (0, -1):
+            # The tip of a star does not grow out of the notch of a heart, nor a corner of a side.
+            if first.turns[k] * second.turns[k] <= 0:
+                _plain_end(first, k)
+                _plain_end(second, k)
     match = _matches(first, second)
     runs = _run_costs(first, second)
     starts = np.zeros((1, 2), dtype=np.intp)
@@ -249,6 +264,12 @@ def _through(first: _Run, second: _Run) -> tuple[Floats, Floats, float]:
     return both[0], both[1], cost
 
 
+def _plain_end(run: _Run, k: int) -> None:
+    """Take a part's end for a mere place, whatever corner lies there."""
+    ends, starts = (run.ends, run.starts) if k == 0 else (run.starts, run.ends)
+    ends[k] = starts[k]
+
+
 def _matches(first: _Run, second: _Run) -> Floats:
     """What it costs that a corner becomes another, (N, M); infinite of an area's bay and cape."""
     looks = [run.look.at((run.starts + run.ends) / 2) for run in (first, second)]
@@ -265,6 +286,7 @@ def _matches(first: _Run, second: _Run) -> Floats:
     cost = cost + AWAY * (1 - ways[0] @ ways[1].T) + AWAY * SHIFT * away
     if not first.line:
         cost[first.turns[:, None] * second.turns < 0] = np.inf
+    cost[first.facing[:, None] != second.facing] = np.inf
     if not first.ring:
         cost[[0, -1]], cost[:, [0, -1]] = np.inf, np.inf
         cost[0, 0] = cost[-1, -1] = 0.0

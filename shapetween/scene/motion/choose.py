@@ -4,25 +4,36 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Points
+from shapetween.base.arrays import Floats
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
 from shapetween.deform.check import crossing_frames
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.settings import FillSettings
-from shapetween.geometry.bezier import sub_curves
 from shapetween.geometry.polygon import cross
+from shapetween.match.register import register
 from shapetween.model.outline import Outline
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
-from shapetween.scene.motion.bend_knots import along_knots, half_knots, ring_knots
+from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
+from shapetween.scene.motion.calm import asks_to_turn, calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
+from shapetween.scene.motion.mirrored import mirrored_knots
+from shapetween.scene.motion.opening import opened_pieces
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
 
-__all__ = ["SAME", "Ends", "elastic", "is_blob", "open_track", "tracks_of"]
+__all__ = [
+    "SAME",
+    "Ends",
+    "corners_suffice",
+    "elastic",
+    "is_blob",
+    "open_track",
+    "tracks_of",
+]
 
 #: Residual of a line's best similarity, as shares: what a turn must leave at most, what part of the
 #: residual without one, and what that must be at least, for a line to turn on its way.
@@ -33,13 +44,6 @@ FARTHEST = np.deg2rad(100.0)
 
 #: What distance of ends costs beside an outline's own matching when a line's direction is chosen.
 ENDS = 0.5
-
-#: Starts at which a ring may be cut to become a line.
-CUTS = 48
-
-#: Shares of a ring that a line may become, the rest growing out of its ends; and what part of the
-#: distance of all of it that of a part must be at most.
-PARTS, PART_BETTER = (1.0, 0.85, 0.7, 0.55), 0.75
 
 #: Distance of two places, as a share of the drawing, that are one.
 SAME = 2e-3
@@ -102,9 +106,9 @@ def tracks_of(
         pieces = cut_alike(source, target, *ring_knots(source, target))
         return (_blend(pieces, first, second, 0.0),), ()
     if first.closed:
-        pieces = _opening(Places(first.outer), Places(second.outer), ends.symmetric)
+        pieces = opened_pieces(Places(first.outer), Places(second.outer), ends.symmetric)
     else:
-        back = _opening(Places(second.outer), Places(first.outer), ends.symmetric)
+        back = opened_pieces(Places(second.outer), Places(first.outer), ends.symmetric)
         pieces = Pieces(back.target, back.source, False)
     return (_blend(pieces, first, second, 0.0),), ()
 
@@ -150,23 +154,37 @@ def _closed(
         if _sound(found):
             return (found, *hole_tracks(first, second, found)), ()
     if ends.symmetric >= 0:
-        halves = _halves(ends, *places)
-        if halves is not None and _sound(halves):
-            return (halves, *hole_tracks(first, second, halves)), ()
-    simple = None
-    blobs = is_blob(first) and is_blob(second)
-    if blobs or not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
-        knots = ring_knots(*places)
-        simple = _blend(cut_alike(*places, *knots), first, second, 0.0)
-        small = min(first.extent, second.extent) <= LARGE * ends.scale
-        if blobs or small or _sound(simple):
-            return (simple, *hole_tracks(first, second, simple)), ()
+        halves = mirrored_knots(*places, ends.symmetric)
+        if halves is not None:
+            found = _blend(cut_alike(*places, *halves), first, second, 0.0)
+            if _sound(found):
+                return (found, *hole_tracks(first, second, found)), ()
+    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
+    simple: tuple[Track, ...] = (found, *hole_tracks(first, second, found))
+    large = ends.root and min(first.extent, second.extent) > LARGE * ends.scale
+    if (is_blob(first) and is_blob(second)) or not large:
+        return simple, ()
+    calm = calm_of(found)
+    if calm.still and not asks_to_turn(first.outer.curves, second.outer.curves):
+        return simple, ()
     try:
-        return elastic(ends, settings, names)
+        by_engine, said = elastic(ends, settings, names)
     except OutlineError:
-        if simple is None:
-            simple = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
-        return (simple, *hole_tracks(first, second, simple)), ()
+        return simple, ()
+    if calm.plain and calm_of(by_engine[0]).waves > calm.waves:
+        return simple, ()
+    return by_engine, said
+
+
+def corners_suffice(first: Item, second: Item) -> bool:
+    """Whether an area of no simple form becomes another calmly by its corners alone."""
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+    if asks_to_turn(first.outer.curves, second.outer.curves):
+        return False
+    if register(places[0].outline, places[1].outline) is not None:
+        return False
+    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
+    return calm_of(found).still
 
 
 def is_blob(item: Item) -> bool:
@@ -194,47 +212,6 @@ def _sound(track: Blend) -> bool:
     """Whether a ring never crosses itself on its way."""
     counts, closed = list(track.counts), list(track.closed)
     return not crossing_frames(track.curves(LOOKED), counts, closed).any()
-
-
-def _halves(ends: Ends, source: Places, target: Places) -> Blend | None:
-    """Two rings that are their own mirror images, so that they stay so."""
-    crossings = [
-        _crossings(places, item.box.mean(axis=0), ends.symmetric)
-        for places, item in ((source, ends.first), (target, ends.second))
-    ]
-    if crossings[0] is None or crossings[1] is None:
-        return None
-    knots = half_knots(source, target, crossings[0], crossings[1])
-    return _blend(cut_alike(source, target, *knots), ends.first, ends.second, 0.0)
-
-
-def _crossings(places: Places, middle: Points, flips: int) -> tuple[float, float] | None:
-    """Where a ring crosses its axis, first and last along it, as increasing shares."""
-    steps = 8 * 48
-    shares = np.arange(steps + 1) / steps
-    shares = np.union1d(shares, places.joints)
-    points = places.point(shares)
-    side = points[:, flips] - middle[flips]
-    side[np.abs(side) < 1e-9 * float(np.ptp(points, axis=0).max())] = 0.0
-    sign = np.sign(side)
-    found = []
-    for k in np.flatnonzero(sign[:-1] * sign[1:] < 0):
-        # Halved until rounding: what is a little off the axis leans.
-        low, high = shares[k], shares[k + 1]
-        for _ in range(40):
-            half = (low + high) / 2
-            there = places.point(np.array([half]))[0, flips] - middle[flips]
-            low, high = (half, high) if there * side[k] > 0 else (low, half)
-        found.append((low + high) / 2)
-    for k in np.flatnonzero(sign[:-1] == 0):
-        before, after = sign[k - 1 if k else -2], sign[k + 1]
-        if before * after < 0:
-            found.append(shares[k])
-    if len(found) < 2:
-        return None
-    along = places.point(np.array(found))[:, 1 - flips]
-    first, last = found[int(along.argmin())], found[int(along.argmax())]
-    return first, last + (last < first)
 
 
 def open_track(ends: Ends) -> Blend:
@@ -309,42 +286,6 @@ def _turn(source: Places, target: Places, u: Floats, v: Floats) -> tuple[float, 
     return 0.0, float(unturned)
 
 
-def _opening(ring: Places, line: Places, flips: int) -> Pieces:
-    """A ring that is cut and becomes a line, where it is nearest to it, each in its own box.
-
-    If only a part of it is near the line, that becomes the line, and the rest goes into its ends.
-    Of their own mirror images about one axis the ring is cut on it.
-    """
-    crossings = None
-    if flips >= 0:
-        box = ring.outline.curves.reshape(-1, 2)
-        crossings = _crossings(ring, (box.min(axis=0) + box.max(axis=0)) / 2, flips)
-    mirrored = crossings is not None
-    cuts = np.arange(CUTS) / CUTS if crossings is None else np.array(crossings) % 1.0
-    steps = np.linspace(0.0, 1.0, 33)
-    there = _in_box(line.point(steps))
-    best: tuple[float, float, bool, float] | None = None
-    for part in PARTS[:1] if mirrored else PARTS:
-        for backwards in (False, True):
-            ahead = (-1 if backwards else 1) * part * steps
-            every = ring.point((cuts[:, None] + ahead).ravel()).reshape(len(cuts), -1, 2)
-            costs = np.linalg.norm(_in_box(every) - there, axis=-1).mean(axis=1)
-            k = int(np.round(costs, 6).argmin())
-            cost = float(costs[k]) if part == 1.0 else float(costs[k]) / PART_BETTER
-            if best is None or cost < best[0] - 1e-6:
-                best = cost, float(cuts[k]), backwards, part
-    assert best is not None
-    _, start, backwards, part = best
-    rest = (1 - part) / 2
-    outline = opened(ring, (start + rest if backwards else start - rest) % 1.0)
-    source = Places(outline.reversed() if backwards else outline)
-    if part == 1.0:
-        u, v, _ = along_knots(source, line, mirrored=mirrored)
-        return cut_alike(source, line, u, v)
-    inner = np.array([0.0, rest, 1 - rest, 1.0])
-    return cut_alike(source, line, inner, np.array([0.0, 0.0, 1.0, 1.0]))
-
-
 def _round(item: Item) -> bool:
     """Whether ends of a line look as its corners do."""
     stroke = item.style.stroke
@@ -367,22 +308,3 @@ def _as_box(item: Item, form: Form) -> RoundedBox | None:
         sides = np.asarray(np.ptp(item.box, axis=0))
         return RoundedBox(item.box.mean(axis=0), sides, 0.0, sides / 2)
     return None
-
-
-def _in_box(points: Points) -> Points:
-    low, high = points.min(axis=-2, keepdims=True), points.max(axis=-2, keepdims=True)
-    size = (high - low).max(axis=-1, keepdims=True)
-    return np.asarray((points - (low + high) / 2) / np.where(size > 0, size, 1.0))
-
-
-def opened(ring: Places, share: float) -> Outline:
-    """A ring cut open at a share of its length."""
-    where, at = ring.locate(np.array([share]))
-    curve, t = int(where[0]), float(at[0])
-    curves = ring.outline.curves
-    if t == 0:
-        return Outline(np.roll(curves, -curve, axis=0), False)
-    parts = sub_curves(curves[[curve, curve]], np.array([t, 0.0]), np.array([1.0, t]))
-    run = np.concatenate([parts[:1], np.roll(curves, -curve - 1, axis=0)[:-1], parts[1:]])
-    run[1:, 0] = run[:-1, 3]
-    return Outline(run, False)

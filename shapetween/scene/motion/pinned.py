@@ -6,6 +6,7 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
+from shapetween.scene.motion.opening import opened
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.relations import Scene
 
@@ -57,8 +58,6 @@ def pinned_pieces(first: Item, second: Item, pins: Points, free: Pieces | None =
             pv = 1 - pv
         u, v, _ = along_knots(source, target)
         return cut_alike(source, target, *_through(u, v, pu, pv, closed=False))
-    from shapetween.scene.motion.choose import opened
-
     ring, line, on, to = (source, target, pu, pv) if first.closed else (target, source, pv, pu)
     costs = []
     for sign in (1.0, -1.0):

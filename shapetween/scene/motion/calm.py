@@ -1,0 +1,101 @@
+"""How calmly an outline goes from one form to another: what its in-between forms add to both."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Points
+from shapetween.deform.check import crossing_frames
+from shapetween.geometry.bezier import evaluate
+from shapetween.match.moments import area_moments
+from shapetween.scene.motion.tracks import Track
+
+__all__ = ["Calm", "asks_to_turn", "calm_of"]
+
+#: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
+#: limbs, which swing: that is the outline engine's.
+MOST_TURNS = 4.3
+
+#: Turning, in whole turns, that in-between forms may have beyond both ends and be calm: half a
+#: corner. More, and waves that neither end has are let pass; less, and a corner that is born from
+#: a round run is held to be one.
+CALM = 0.12
+
+#: Ratio of the axes from which on a shape has a direction, and angle between two directions,
+#: radians, from which on a shape that has one turns from one to the other.
+LONG, TURNED = 2.0, np.deg2rad(30.0)
+
+#: Times that are looked at, the ends first and last.
+LOOKED = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+
+#: Steps of equal length in which turning is measured: less than an outline's own corners need
+#: would round them off, and many more would count what nobody sees.
+STEPS = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Calm:
+    """What was seen of an outer ring on its way.
+
+    Attributes
+    ----------
+    turns : float
+        By how much the ends turn in all, in whole turns; that of the one which turns more.
+    waves : float
+        By how much in-between forms turn beyond that; negative if they turn less.
+    crossing : bool
+        Whether it crosses itself.
+    """
+
+    turns: float
+    waves: float
+    crossing: bool
+
+    @property
+    def plain(self) -> bool:
+        """Whether the ends are simple enough for their corners to say how they move."""
+        return self.turns <= MOST_TURNS and not self.crossing
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing is to be seen on the way that is in neither end."""
+        return self.plain and self.waves <= CALM
+
+
+def calm_of(track: Track) -> Calm:
+    """How calmly a track's outer ring goes."""
+    count = track.counts[0]
+    curves = track.curves(LOOKED)[:, :count]
+    turns = np.round([_turns(ring) for ring in curves], 6)
+    ends = float(max(turns[0], turns[-1]))
+    crossing = crossing_frames(curves[1:-1], [count], [True]).any()
+    return Calm(ends, float(turns[1:-1].max()) - ends, bool(crossing))
+
+
+def _turns(ring: Curves) -> float:
+    """All turning of a closed ring (P, 4, 2), either way, in whole turns."""
+    points = evaluate(ring, np.arange(8) / 8).reshape(-1, 2)
+    points = np.concatenate([points, points[:1]])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    even = along[-1] * np.arange(STEPS) / STEPS
+    x, y = (np.interp(even, along, axis) for axis in points.T)
+    angle = np.arctan2(np.roll(y, -1) - y, np.roll(x, -1) - x)
+    turn = (np.roll(angle, -1) - angle + np.pi) % (2 * np.pi) - np.pi
+    return float(np.abs(turn).sum() / (2 * np.pi))
+
+
+def asks_to_turn(first: Curves, second: Curves) -> bool:
+    """Whether two closed rings are long ones that lie in different directions."""
+    axes = [_axis(curves) for curves in (first, second)]
+    if axes[0] is None or axes[1] is None:
+        return False
+    return bool(abs(axes[0] @ axes[1]) < np.cos(TURNED))
+
+
+def _axis(curves: Curves) -> Points | None:
+    """The direction of a long shape; None of one that has none."""
+    _, _, spread = area_moments(curves)
+    size, axes = np.linalg.eigh(spread)
+    if not size[1] > LONG**2 * max(size[0], 0.0):
+        return None
+    return np.asarray(axes[:, 1])
