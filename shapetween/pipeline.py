@@ -35,6 +35,7 @@ from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
 from shapetween.scene.strokes import as_lines
+from shapetween.scene.swelling import swells
 from shapetween.scene.whole import frame_between, turns_over
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
@@ -240,8 +241,9 @@ def _moved(
             one, other = as_lines(*apart)
             scene = move_scene(one, other, boxes, asked, settings, names)
             return (), (*said, *more, *scene.notices), scene
-    if not (free and _two_outlines(one, other)):
-        one, other = _lined(one, other, boxes)
+    lines = _lined(one, other, boxes)
+    if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
+        one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
@@ -268,8 +270,8 @@ def _lined(
 def _two_outlines(one: Sequence[Item], other: Sequence[Item]) -> bool:
     """Whether one area becomes one other, and neither is a mere bar.
 
-    They do so as areas, whatever strokes they are made of: as lines an E becomes a K by an arm
-    that shrinks and one that comes up elsewhere, and a 2 folds flat on its way to a 5.
+    They do so as areas, even if they are made of strokes, unless those swell on the way: as lines
+    an E becomes a K by an arm that shrinks and one that comes up elsewhere.
     """
     if not len(one) == len(other) == 1:
         return False

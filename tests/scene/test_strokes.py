@@ -77,6 +77,20 @@ def test_no_place_is_thinner_than_the_stroke(name: str) -> None:
         assert opened.area > 0.97 * area.area
 
 
+@pytest.mark.parametrize("name", ["check to cross", "arrow to check"])
+def test_strokes_that_would_swell_as_areas_move_as_lines(name: str) -> None:
+    movement = prepare(*PAIRS[name]).movement
+    for frame in movement.at(np.linspace(0, 1, 9)):
+        # Lines that meet at an acute angle on the way are a little deeper than any crossing.
+        assert shown(frame).buffer(-0.8 * WIDTH).area < 0.2 * WIDTH**2
+
+
+def test_strokes_that_keep_their_width_as_areas_stay_areas() -> None:
+    tee = [polyline((4, 5), (20, 5)), polyline((12, 5), (12, 20))]
+    why = [polyline((4, 5), (12, 12), (20, 5)), polyline((12, 12), (12, 20))]
+    assert len(prepare(icon(tee), icon(why)).movement.parts) == 1
+
+
 def test_a_plus_keeps_its_level_bar() -> None:
     movement = prepare(*PAIRS["plus to minus"], Options()).movement
     bar = painted([polyline((4, 12), (20, 12))], WIDTH)

@@ -28,6 +28,7 @@ from shapetween.scene.places import Pieces, Places, cut_alike
 __all__ = [
     "SAME",
     "Ends",
+    "corner_tracks",
     "corners_suffice",
     "elastic",
     "is_blob",
@@ -159,12 +160,11 @@ def _closed(
             found = _blend(cut_alike(*places, *halves), first, second, 0.0)
             if _sound(found):
                 return (found, *hole_tracks(first, second, found)), ()
-    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
-    simple: tuple[Track, ...] = (found, *hole_tracks(first, second, found))
+    simple = corner_tracks(first, second)
     large = ends.root and min(first.extent, second.extent) > LARGE * ends.scale
     if (is_blob(first) and is_blob(second)) or not large:
         return simple, ()
-    calm = calm_of(found)
+    calm = calm_of(simple[0])
     if calm.still and not asks_to_turn(first.outer.curves, second.outer.curves):
         return simple, ()
     try:
@@ -176,15 +176,20 @@ def _closed(
     return by_engine, said
 
 
+def corner_tracks(first: Item, second: Item) -> tuple[Track, ...]:
+    """An area and its holes by their corners alone."""
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
+    return (found, *hole_tracks(first, second, found))
+
+
 def corners_suffice(first: Item, second: Item) -> bool:
     """Whether an area of no simple form becomes another calmly by its corners alone."""
-    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     if asks_to_turn(first.outer.curves, second.outer.curves):
         return False
-    if register(places[0].outline, places[1].outline) is not None:
+    if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
-    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
-    return calm_of(found).still
+    return calm_of(corner_tracks(first, second)[0]).still
 
 
 def is_blob(item: Item) -> bool:
