@@ -10,7 +10,8 @@ from shapetween.geometry.bezier import flatten
 from shapetween.model.drawing import Shape
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.motion.bends import bends_of
-from shapetween.scene.places import Places
+from shapetween.scene.motion.mirrored import even_knots
+from shapetween.scene.places import Places, cut_alike
 from shapetween.svg.read.reader import read_svg
 
 T = np.linspace(0, 1, 9)
@@ -25,6 +26,7 @@ FLAME = "M40 8C60 30 80 45 80 65A30 30 0 0 1 20 65C20 40 42 40 40 8Z"
 DISC = "M90 50A40 40 0 0 1 10 50A40 40 0 0 1 90 50Z"
 CAPSULE = "M20 40H80A10 10 0 0 1 80 60H20A10 10 0 0 1 20 40Z"
 CARD = "M20 10H80A10 10 0 0 1 90 20V80A10 10 0 0 1 80 90H20A10 10 0 0 1 10 80V20A10 10 0 0 1 20 10Z"
+ARROW = "M50 90L20 60H40V10H60V60H80Z"
 HOUSE = "M50 10L90 45V90H10V45Z"
 BOX = "M10 10H90V90H10Z"
 
@@ -131,3 +133,12 @@ def test_a_dot_becomes_a_bar_as_a_capsule() -> None:
         low, high = np.array(seen.bounds).reshape(2, 2)
         # A capsule: as high in its middle as it is on the whole, and half as far from its ends.
         assert seen.area >= np.prod(high - low) - (4 - np.pi) * ((high - low)[1] / 2) ** 2 - 0.2
+
+
+@pytest.mark.parametrize("pair", [(ARROW, STAR), (HEART, HOUSE), (STAR, HOUSE)])
+def test_a_part_stays_symmetric_whatever_it_lies_in(pair: tuple[str, str]) -> None:
+    first, second = places(pair[0]), places(pair[1])
+    pieces = cut_alike(first, second, *even_knots(first, second))
+    seen = shapely.Polygon(flatten((pieces.source + pieces.target) / 2, 64))
+    image = shapely.transform(seen, lambda xy: xy * [-1, 1] + [100, 0])
+    assert seen.symmetric_difference(image).area < 1e-6 * seen.area

@@ -20,7 +20,7 @@ from shapetween.scene.motion.boxes import HALF_TIE, box_blend
 from shapetween.scene.motion.calm import asks_to_turn, calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
-from shapetween.scene.motion.mirrored import mirrored_knots
+from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.opening import opened_pieces
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
@@ -179,7 +179,9 @@ def _closed(
 def corner_tracks(first: Item, second: Item) -> tuple[Track, ...]:
     """An area and its holes by their corners alone."""
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
-    found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
+    found = _blend(cut_alike(*places, *even_knots(*places)), first, second, 0.0)
+    if not _sound(found):
+        found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
     return (found, *hole_tracks(first, second, found))
 
 
@@ -189,7 +191,12 @@ def corners_suffice(first: Item, second: Item) -> bool:
         return False
     if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
-    return calm_of(corner_tracks(first, second)[0]).still
+    calm = calm_of(corner_tracks(first, second)[0])
+    if calm.still or not calm.plain:
+        return calm.still
+    # What is even stays so by its corners, whatever waves it throws.
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+    return any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
 
 
 def is_blob(item: Item) -> bool:

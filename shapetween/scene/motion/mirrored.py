@@ -3,10 +3,10 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats
-from shapetween.scene.motion.bend_knots import half_knots
+from shapetween.scene.motion.bend_knots import half_knots, ring_knots
 from shapetween.scene.places import Places
 
-__all__ = ["axis_crossings", "mirrored_knots"]
+__all__ = ["axis_crossings", "even_knots", "mirrored_knots"]
 
 #: Distance of the halves of a ring from each other's mirror images, as a share of its extent, up to
 #: which it moves as one that is symmetric. More, and a flame loses its tip, which is off its axis.
@@ -29,6 +29,15 @@ def mirrored_knots(source: Places, target: Places, flips: int) -> tuple[Floats, 
     if not (_even(source, crossings[0], flips) and _even(target, crossings[1], flips)):
         return None
     return half_knots(source, target, crossings[0], crossings[1])
+
+
+def even_knots(source: Places, target: Places) -> tuple[Floats, Floats]:
+    """Knots of two rings, themselves mirror images where both rings are, about one direction."""
+    for flips in (0, 1):
+        knots = mirrored_knots(source, target, flips)
+        if knots is not None:
+            return knots
+    return ring_knots(source, target)
 
 
 def _even(places: Places, half: tuple[float, float], flips: int) -> bool:
