@@ -81,7 +81,8 @@ def alternatives(a: Source, b: Source, names: tuple[str, str], **settings: Any) 
         if settings.get(name):
             raise OptionError(f"alternatives: {name} say what becomes what; expected none")
     make: Callable[..., Morph] = morph
-    first = make(a, b, **settings)
+    # What goes by its corners alone has but one matching; the outline engine's have numbers.
+    first = make(a, b, **{"together": False, **settings})
     ring = _only_ring(first)
     if ring is None:
         raise OptionError("alternatives: expected two drawings of one filled outline each")
