@@ -42,6 +42,10 @@ SHADE = 0.16
 #: Share of shade that lies on what it is the shade of, and not in its holes.
 LIES_ON = 0.8
 
+#: Size at which what grows is first seen: a share of its own, and at most one of the drawing. With
+#: none, what comes is a speck first; with much, it snaps into place.
+LEAST, LEAST_SEEN = 0.3, 0.06
+
 #: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.
 SLIM = 1.6
 
@@ -122,7 +126,7 @@ def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
         return lines
     members = cluster.members
     place, host, how = _shrinks_to(cluster, side)
-    leaving = Leaving(side.window, place)
+    leaving = Leaving(side.window, place, least=_least(members, side.scene))
     return {k: Going(leaving, side.carry(host, place, how)) for k in members}
 
 
@@ -152,6 +156,13 @@ def _shrinks_to(
         if end is not None:
             return end, beside, "beside"
     return _middle(members, scene), beside, "beside"
+
+
+def _least(members: Sequence[int], scene: Scene) -> float:
+    """Share of its size at which a cluster is first seen."""
+    boxes = np.array([scene.items[k].box for k in members])
+    extent = float((boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0)).max())
+    return min(LEAST, LEAST_SEEN * scene.scale / max(extent, LEAST_SEEN * scene.scale))
 
 
 def _middle(members: Sequence[int], scene: Scene) -> Points:

@@ -35,6 +35,10 @@ LAST = 0.96
 #: long; much larger, and it snaps into place.
 SHRINKS, RETRACTS = 2.4, 2.0
 
+#: Share of its way, counted from where it is nothing, in which what shrinks is seen through. None,
+#: and what has a size at once snaps into place; much more, and ghosts are seen.
+PALE = 0.06
+
 #: Share of a line's length that lines without any length are given, for their direction. Larger and
 #: they are seen; smaller and their direction is lost in rounding.
 SHORTEST = 1e-5
@@ -131,6 +135,8 @@ class Leaving:
         Whether it fades all the time; else only at last, where it is retracted.
     thins : bool
         Whether its stroke gets thin where it is.
+    least : float
+        Share of its size at which it is first or last seen, if it shrinks: not as a speck.
     steady : bool
         Whether it goes evenly; else ever faster, and what comes does ever slower.
     """
@@ -140,7 +146,12 @@ class Leaving:
     kept: float | tuple[float, float] | None = None
     fades: bool = False
     thins: bool = False
+    least: float = 0.0
     steady: bool = False
+
+    def size(self, gone: Floats) -> Floats:
+        """Of what shrinks, as a share of its own, when it has gone so far."""
+        return np.asarray(self.least + (1 - self.least) * (1 - gone))
 
     def gone(self, t: Floats, arrives: bool) -> Floats:
         """How far it has gone at the times (F,), from 0 to 1."""
@@ -208,7 +219,7 @@ class LonePart:
         ]
         place = self.leaving.place
         if place is not None:
-            size = (1 - gone)[:, None, None, None]
+            size = self.leaving.size(gone)[:, None, None, None]
             rings = [place + size * (ring - place) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)
@@ -237,10 +248,11 @@ class LonePart:
         elif self.leaving.kept is not None:
             seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
         else:
-            seen = float(gone < 1)
+            seen = min(1.0, (1 - gone) / PALE) if self.leaving.least > 0 else float(gone < 1)
         smaller = self.leaving.place is not None or self.leaving.thins
         if smaller and style.stroke is not None and gone < 1:
-            style = replace(style, stroke=_thinned(style.stroke, 1 - gone))
+            thinner = float(self.leaving.size(np.array(gone)))
+            style = replace(style, stroke=_thinned(style.stroke, thinner))
         if has_gradient(style):
             curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
