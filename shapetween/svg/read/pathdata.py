@@ -2,7 +2,9 @@
 
 One pass of regular expressions cuts the data into runs of one command with its numbers, and finds
 where it stops being path data: browsers draw what comes before that place, and so does this
-reader. Runs of one kind then become arrays at once.
+reader. Subpaths of lines, cubics and arcs, which nearly all drawings consist of, then become
+arrays at once; those with quadratic curves are parsed by svgpathtools, which is slow to import and
+is imported only then.
 
 .. [SVG2] *Scalable Vector Graphics 2*, chapter 9 and appendix B.2.
 """
@@ -300,22 +302,14 @@ def _arcs(arguments: _Arguments, points: list[_Point]) -> Curves:
 
 
 def _quadratic_curves(start: _Point, runs: list[_Run]) -> Curves:
-    """Quadratic curves, raised to cubics.
+    """Quadratic curves as svgpathtools parses them, raised to cubics."""
+    from svgpathtools import parse_path
 
-    The handle of a T is that of the curve before, turned about the point where they meet.
-    """
-    ends, handles = [start], [start]
+    words = ["M", *map(repr, start)]
     for run in runs:
-        points = list(run.ends(ends[-1]))
-        for (x, y), values in zip([ends[-1], *points[:-1]], run.arguments, strict=True):
-            if run.letter == "T":
-                before = handles[-1]
-                handles.append((x + x - before[0], y + y - before[1]))
-            elif run.relative:
-                handles.append((x + values[0], y + values[1]))
-            else:
-                handles.append((values[0], values[1]))
-        ends += points
-    joints, handle = np.array(ends), np.array(handles[1:])
-    first, last = joints[:-1], joints[1:]
-    return np.stack([first, (first + 2 * handle) / 3, (last + 2 * handle) / 3, last], axis=1)
+        words.append(run.letter.lower() if run.relative else run.letter)
+        words += (repr(value) for values in run.arguments for value in values)
+    bent = np.array([segment.bpoints() for segment in parse_path(" ".join(words))])
+    first, handle, last = bent.T
+    cubics = np.stack([first, (first + 2 * handle) / 3, (last + 2 * handle) / 3, last], axis=1)
+    return np.stack([cubics.real, cubics.imag], axis=-1)
