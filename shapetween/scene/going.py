@@ -18,11 +18,11 @@ __all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
 
 #: When what has no partner goes, and when it comes. Leavers go early and newcomers come late, but
 #: they overlap: apart, the middle is empty; much more together, and both are seen at once.
-GOES, COMES = (0.0, 0.46), (0.37, 1.0)
+GOES, COMES = (0.0, 0.44), (0.42, 1.0)
 
 #: The same where nothing stays, and a middle with neither of the two would be blank; where little
 #: stays, between the two.
-ALL_GO, ALL_COME = (0.0, 0.5), (0.36, 1.0)
+ALL_GO, ALL_COME = (0.0, 0.48), (0.42, 1.0)
 
 #: Share of its time by which each piece of a composed line waits for the one that it hangs on.
 WAITS = 0.35

@@ -35,9 +35,9 @@ LAST = 0.96
 #: long; much larger, and it snaps into place.
 SHRINKS, RETRACTS = 2.4, 2.0
 
-#: Share of its way, counted from where it is nothing, in which what shrinks is seen through. None,
-#: and what has a size at once snaps into place; much more, and ghosts are seen.
-PALE = 0.06
+#: Share of its size from which on what shrinks keeps the weight of its strokes. At 1 they thin from
+#: the start; at 0 what is small is a blot.
+HEAVY = 0.5
 
 #: Share of a line's length that lines without any length are given, for their direction. Larger and
 #: they are seen; smaller and their direction is lost in rounding.
@@ -136,7 +136,7 @@ class Leaving:
     thins : bool
         Whether its stroke gets thin where it is.
     least : float
-        Share of its size at which it is first or last seen, if it shrinks: not as a speck.
+        Share of its size or length at which it is first or last seen: not as a speck.
     steady : bool
         Whether it goes evenly; else ever faster, and what comes does ever slower.
     """
@@ -150,7 +150,7 @@ class Leaving:
     steady: bool = False
 
     def size(self, gone: Floats) -> Floats:
-        """Of what shrinks, as a share of its own, when it has gone so far."""
+        """Of what shrinks or is retracted, as a share of its own, when it has gone so far."""
         return np.asarray(self.least + (1 - self.least) * (1 - gone))
 
     def gone(self, t: Floats, arrives: bool) -> Floats:
@@ -214,7 +214,7 @@ class LonePart:
         rings = [
             np.repeat(curves[None], len(t), axis=0)
             if share is None
-            else retracted(curves, 1 - gone, share)
+            else retracted(curves, self.leaving.size(gone), share)
             for curves, share in zip(self.curves_at_home, shares, strict=True)
         ]
         place = self.leaving.place
@@ -245,13 +245,14 @@ class LonePart:
         style = self.whole
         if self.leaving.fades:
             seen = 1 - gone
-        elif self.leaving.kept is not None:
+        elif self.leaving.kept is not None and not self.leaving.least:
             seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
         else:
-            seen = min(1.0, (1 - gone) / PALE) if self.leaving.least > 0 else float(gone < 1)
+            seen = float(gone < 1)
         smaller = self.leaving.place is not None or self.leaving.thins
         if smaller and style.stroke is not None and gone < 1:
-            thinner = float(self.leaving.size(np.array(gone)))
+            size = float(self.leaving.size(np.array(gone)))
+            thinner = size if self.leaving.thins else min(1.0, size / HEAVY)
             style = replace(style, stroke=_thinned(style.stroke, thinner))
         if has_gradient(style):
             curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)

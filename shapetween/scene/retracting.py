@@ -31,6 +31,10 @@ ACROSS = 0.5
 #: lock snaps.
 ALONE = (0.05, 0.8)
 
+#: Share of a line's length at which it is first seen. With less it is a dot first, with much it
+#: snaps into place.
+STUB = 0.15
+
 #: How near a line's end is to what it lies on, in widths.
 ON = 0.6
 
@@ -124,15 +128,16 @@ def _retracted(
                 else (found[j].carries[:1] if j in found else side.carry(j, end, "at"))
                 for j, end in zip(on, ends, strict=True)
             ]
-            dashed = item.style.stroke is not None and item.style.stroke.dashes
-            if on[0] is not None and on[1] is not None and not dashed:
-                both = carries[0] + carries[1] if carries[0] and carries[1] else ()
-                found[k] = Going(Leaving(window, kept=BOTH), both)
+            if on[0] is not None and on[1] is not None:
+                end = int(first_end(ends))  # from both, the halves would meet in a seam
+                leaving = Leaving(window, kept=float(end), least=STUB)
+                found[k] = Going(leaving, carries[end])
             elif on != (None, None):
-                leaving = Leaving(window, kept=float(on[0] is None))
+                leaving = Leaving(window, kept=float(on[0] is None), least=STUB)
                 found[k] = Going(leaving, carries[0] or carries[1])
             else:
-                found[k] = Going(Leaving(window, kept=_touched(k, list(found), scene)))
+                kept = _touched(k, list(found), scene)
+                found[k] = Going(Leaving(window, kept=kept, least=STUB))
     if not levels:
         (k,) = cluster.members
         found[k] = _line_alone(k, cluster.parent, side)
@@ -171,7 +176,8 @@ def _line_alone(k: int, parent: int | None, side: Side) -> Going:
     place = Places(item.outer).point(np.array([kept]))[0]
     how: Literal["at", "beside"] = "at" if parent is not None else "beside"
     carries = side.carry(host, place, how) if not steady else ()
-    return Going(Leaving(window, kept=kept, steady=steady), carries)
+    leaving = Leaving(window, kept=kept, least=0.0 if steady else STUB, steady=steady)
+    return Going(leaving, carries)
 
 
 def _slashes(k: int, parent: int | None, side: Side) -> bool:
