@@ -23,6 +23,13 @@ from tests.firefox import CALL, PATIENCE
 #: The browser that comes with the driver, told to be driven.
 OPTIONS = {"browserName": "MiniBrowser", "webkitgtk:browserOptions": {"args": ["--automation"]}}
 
+#: Its own sandbox needs more rights than a test has. And all tiles of a page are painted by one
+#: rasteriser: a busy one hands some to the graphics processor's, which has coarser edges.
+ENVIRONMENT = {
+    "WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS": "1",
+    "WEBKIT_SKIA_ENABLE_CPU_RENDERING": "1",
+}
+
 
 @contextmanager
 def webkit() -> Iterator[Browser]:
@@ -35,11 +42,9 @@ def webkit() -> Iterator[Browser]:
         port = free.getsockname()[1]
     with TemporaryDirectory() as folder:
         command = [screen, "-a", "-s", "-screen 0 2000x1200x24", program, f"--port={port}"]
-        # Its own sandbox needs more rights than a test has.
-        environment = os.environ | {"WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS": "1"}
         with subprocess.Popen(
             command,
-            env=environment,
+            env=os.environ | ENVIRONMENT,
             start_new_session=True,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

@@ -29,16 +29,16 @@ MOST_COMMANDS = 200_000
 #: from a point has none at first.
 LEAST_AREA = 1e-12
 
+#: How areas move unless told otherwise: without paint there is no other way to come than to grow
+#: from nothing.
+GROWS = {"change": "grow"}
+
 #: What shapely calls lines.
 LINES = frozenset({"LineString", "LinearRing", "MultiLineString"})
 
 #: Width of a line as a share of the drawing's size: a stroke has one. Wider, and lines that run
 #: side by side are one line; far thinner, and its pins have no reach.
 LINE_WIDTH = 1e-3
-
-#: Least extent of a line that is there, as a share of the drawing's size: what is drawn begins with
-#: none.
-LEAST_LENGTH = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ def kind_of(shape: object, which: str) -> Kind:
         If it is of no kind that is known.
     """
     if isinstance(shape, str) and shape.lstrip()[:1] in ("M", "m"):
-        return Kind("path data", _from_path_data, _to_path_data, False)
+        return Kind("path data", _from_path_data, _to_path_data, False, GROWS)
     if isinstance(shape, str | bytes | PathLike | Drawing):
         return Kind("a drawing", _opened, lambda drawing: drawing, False)
     if getattr(shape, "geom_type", None) in LINES:
@@ -91,9 +91,9 @@ def kind_of(shape: object, which: str) -> Kind:
         options = {"change": "draw", "pairing": "loose"}
         return Kind("a line", _from_lines, lambda d: _to_lines(d, several), True, options)
     if hasattr(shape, "geom_type"):
-        return Kind("a geometry", _from_geometry, _to_geometry, True)
+        return Kind("a geometry", _from_geometry, _to_geometry, True, GROWS)
     if hasattr(shape, "to_polygons") and hasattr(shape, "vertices"):
-        return Kind("a matplotlib path", _from_mpl, _to_mpl, True)
+        return Kind("a matplotlib path", _from_mpl, _to_mpl, True, GROWS)
     try:
         points = np.asarray(shape, dtype=np.float64)
     except (TypeError, ValueError):
@@ -238,12 +238,13 @@ def _to_lines(drawing: Drawing, several: bool) -> Any:
     """A LineString, or a MultiLineString where there are several or may be."""
     import shapely
 
-    size = max(drawing.drawn.width, drawing.drawn.height)
-    found = []
-    for ring in _rings(drawing):
-        points = np.concatenate([ring.curves[:, 0], ring.curves[-1:, 3]])
-        if float(np.ptp(points, axis=0).max()) > LEAST_LENGTH * size:
-            found.append(shapely.LineString(points))
+    # What is not there yet, or no more, is not seen, but has a length: an outline may follow it.
+    seen = [shape for shape in drawing.shapes if shape.style.opacity > 0]
+    found = [
+        shapely.LineString(np.concatenate([ring.curves[:, 0], ring.curves[-1:, 3]]))
+        for shape in seen
+        for ring in shape.rings
+    ]
     if len(found) == 1 and not several:
         return found[0]
     return shapely.MultiLineString(found)

@@ -119,7 +119,8 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
         return None
     curves = part.curves(np.array([0.0, 1.0])).reshape(2, -1, 2)
     extents = np.ptp(curves, axis=1).max(axis=1)
-    whole = [k for k in (0, 1) if extents[k] > NOTHING * extents.max()]
+    there = [k for k in (0, 1) if styles[k].opacity > 0]
+    whole = [k for k in there if extents[k] > NOTHING * extents.max()]
     if not whole:
         return None
     path, triangles = _mesh(part, whole[0])
@@ -127,7 +128,7 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     growth = np.sqrt(_areas(places, triangles))
     ends, pictures, empty = [], [], []
     for k in (0, 1):
-        # What is nothing at one end shows there what it shows at the other, at no size.
+        # What is nothing at one end, or not seen, shows there what it shows at the other.
         end = k if k in whole else whole[0]
         larger = float(growth.max() / growth[end])
         picture, window = _picture(styles[end], curves[end], fit, larger)

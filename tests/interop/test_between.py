@@ -63,6 +63,19 @@ def test_what_is_in_several_pieces() -> None:
     assert f(0.5).geom_type == "MultiPolygon"
 
 
+def test_areas_without_partner_grow_from_nothing() -> None:
+    """At both ends nothing is there that was not given, and nothing snaps into place."""
+    one = shapely.box(0, 0, 4, 4)
+    several = shapely.MultiPolygon([one, shapely.box(6, 0, 7, 1), shapely.box(6, 3, 8, 4)])
+    f = between(shapely.MultiPolygon([one]), several)
+    assert same(f(0.0), one)
+    assert same(f(1.0), several)
+    areas = np.array([shape.area for shape in f(np.linspace(0, 1, 401))])
+    assert np.abs(np.diff(areas)).max() < 0.02 * (several.area - one.area)
+    path = between("M0 0H4V4H0Z", "M0 0H4V4H0ZM6 0H7V1H6Z")(0.0)
+    assert path.split("M")[2].startswith("6.5.5C6.5.5 6.5.5 6.5.5")
+
+
 STEPS = np.linspace(0, 3, 40)
 WAVE = shapely.LineString(np.column_stack([STEPS, np.sin(3 * STEPS)]))
 OTHER = shapely.LineString(np.column_stack([STEPS, 1.4 * np.cos(2 * STEPS)])[:25])
