@@ -19,9 +19,10 @@ PAIRS = (
         "Twemoji (CC BY 4.0)",
     ),
     (
-        "letter-o",
-        "letter-c",
-        "A ring has to be cut to become an arc. It is not: the hole closes while a bay grows in.",
+        "letter-e",
+        "letter-k",
+        "A stem with three arms becomes one with two, and the upper arm is made of two of them: "
+        "the area between them fills and opens again.",
         "Font Awesome Free (CC BY 4.0)",
     ),
     (

@@ -20,7 +20,7 @@ INDEX = (GALLERY / "index.html").read_text("utf-8")
 LARGEST = 6_000_000
 
 #: Licences that allow what the gallery does with the drawings.
-LICENCES = {"Apache-2.0", "CC BY 3.0", "CC BY 4.0", "CC0 1.0", "MIT", "public domain"}
+LICENCES = {"Apache-2.0", "CC BY 3.0", "CC BY 4.0", "CC0 1.0", "ISC", "MIT", "public domain"}
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 4, 5])

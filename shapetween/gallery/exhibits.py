@@ -111,6 +111,13 @@ ROOMS = (
         "showcase.py",
     ),
     Room(
+        "drawings",
+        "Drawings of many parts",
+        "Icons, letters, emoji and illustrations as they come, by default settings: parts go to "
+        "their like, what both have stands still.",
+        "drawings.py",
+    ),
+    Room(
         "limits",
         "Where it fails",
         "What looks wrong, and why. Pins, ids and meshes drawn by hand help with some of it.",
