@@ -170,7 +170,7 @@ def test_a_shape_that_leaves_takes_its_pattern_along(tmp_path: Path) -> None:
     assert inked == sorted(inked, reverse=True)
     movement = morph(tmp_path / "a.svg", tmp_path / "b.svg", pictures=True).prepared.movement
     (part,) = (part for part in movement.parts if isinstance(part, LonePart))
-    # As it was drawn, many pixels for one: resvg leaves seams between the tiles of a smaller pattern.
+    # As drawn, many pixels for one: resvg leaves seams between the tiles of a smaller pattern.
     fine = Image.fromarray(drawn(filled(STRIPES), 8 * SIZE[0], 8 * SIZE[1]), "RGBA")
     white = Image.alpha_composite(Image.new("RGBA", fine.size, "white"), fine).convert("RGB")
     for k in (1, 2, 3):
