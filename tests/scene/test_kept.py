@@ -331,3 +331,14 @@ def test_a_tick_that_is_knocked_out_closes_before_a_cross_opens_in_its_place() -
         seen = tick if t < 0.5 else cross
         assert void.difference(seen.convex_hull.buffer(0.1)).area < 0.01
         assert (void.area > 1) == (t != 0.5)
+
+
+def test_what_comes_apart_divides_and_is_no_kept_area() -> None:
+    """A gap that opens between two halves is not wiped out of them; one with a bar in it is."""
+    halves = shapely.MultiPolygon([shapely.box(20, 20, 40, 80), shapely.box(60, 20, 80, 80)])
+    for t, area in zip(T, frames(path(BOX), path(halves)), strict=True):
+        assert off(area, BOX.difference(shapely.box(50 - 10 * t, 0, 50 + 10 * t, 100))) < 1
+    beside = shapely.MultiPolygon([*halves.geoms, shapely.box(46, 5, 54, 95)])
+    scene = prepared(path(BOX), path(beside)).scene
+    assert scene is not None
+    assert any(role.reason == "kept" for role in scene.roles.pairs)

@@ -12,6 +12,8 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.boolean.chords import chords_of
+from shapetween.fill.regions import Region
+from shapetween.fill.splitting import split_alike
 from shapetween.model.outline import Outline
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
@@ -103,6 +105,8 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     looked = [found for f in _families(sides) if (found := _look(sides, f, scale)) is not None]
     bars = [bar for found in looked for bar in found.bars]
     for found in looked:
+        if _divides(found, REACH * scale):
+            continue
         members = found.members
         tracks = _tracks(found, bars, scale)
         if tracks is None:
@@ -233,6 +237,21 @@ def _look(
     if [len(side) for side in members] != [len(side) for side in family]:
         found = snapped(_rings(kept[0]), _rings(kept[1]), reach)
     return _Looked(members, kept, found, tuple(bars))
+
+
+def _divides(looked: _Looked, reach: float) -> bool:
+    """Whether one area comes apart into several, or back, with nothing but gaps between them.
+
+    It does so as a cell: nothing is wiped from between what then stands as if it always had.
+    """
+    sides = sorted(looked.items, key=len)
+    if looked.bars or len(sides[0]) != 1 or len(sides[1]) < 2:
+        return False
+    drawn = sides[0][0].drawn
+    if sum(item.drawn.difference(drawn).area for item in sides[1]) > reach * drawn.length:
+        return False
+    (whole,), parts = ([Region(item.outer, item.holes) for item in side] for side in sides)
+    return split_alike(whole, parts) is not None
 
 
 def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[Track, ...] | None:

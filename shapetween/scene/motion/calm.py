@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Curves, Points
-from shapetween.deform.check import crossing_frames
+from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
 from shapetween.match.moments import area_moments
 from shapetween.scene.motion.tracks import Track
@@ -25,8 +25,8 @@ CALM = 0.12
 #: radians, from which on a shape that has one turns from one to the other.
 LONG, TURNED = 2.0, np.deg2rad(30.0)
 
-#: Times that are looked at, the ends first and last.
-LOOKED = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+#: Times at which turning is looked at, the ends first and last.
+TURNING = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
 
 #: Steps of equal length in which turning is measured: less than an outline's own corners need
 #: would round them off, and many more would count what nobody sees.
@@ -65,10 +65,10 @@ class Calm:
 def calm_of(track: Track) -> Calm:
     """How calmly a track's outer ring goes."""
     count = track.counts[0]
-    curves = track.curves(LOOKED)[:, :count]
+    curves = track.curves(TURNING)[:, :count]
     turns = np.round([_turns(ring) for ring in curves], 6)
     ends = float(max(turns[0], turns[-1]))
-    crossing = crossing_frames(curves[1:-1], [count], [True]).any()
+    crossing = crossing_frames(track.curves(LOOKED)[:, :count], [count], [True]).any()
     return Calm(ends, float(turns[1:-1].max()) - ends, bool(crossing))
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.deform.check import crossing_frames
+from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.settings import FillSettings
 from shapetween.geometry.polygon import cross
@@ -54,9 +54,6 @@ LARGE = 0.22
 
 #: Share of its convex hull that an outline without limbs has.
 CONVEX = 0.95
-
-#: Times at which a blend is looked at for crossings.
-LOOKED = np.array([0.25, 0.5, 0.75])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
