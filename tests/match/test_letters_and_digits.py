@@ -76,7 +76,7 @@ def ways(found: Prepared) -> list[Way]:
     result = []
     for part in found.filled:
         for body in part.bodies:
-            crossing = body.crossing and not body.seen.nothing
+            crossing = bool(body.crossing) and not body.seen.nothing
             closed = [True] * len(body.counts)
             result.append(Way(body.curves(TIMES), body.counts, closed, crossing))
     for tracks in found.scene.tracks.values() if found.scene is not None else ():
