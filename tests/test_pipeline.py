@@ -134,7 +134,7 @@ def test_kinds_of_parts(many: Prepared) -> None:
 def test_shapes_without_a_partner_are_not_seen_where_they_are_not(many: Prepared) -> None:
     parts = {part.name: part for part in many.movement.parts}
     for name in ("comes", "post"):
-        seen = [parts[name].style(t).opacity for t in (0.0, 0.3, 0.9, 1.0)]
+        seen = [parts[name].style(t).opacity for t in (0.0, 0.1, 0.9, 1.0)]
         assert seen[:2] == [0.0, 0.0]
         assert seen[3] == 1.0
         assert seen[2] > 0.8
@@ -227,7 +227,7 @@ def test_where_one_side_has_more_lines_they_are_drawn() -> None:
         assert isinstance(lone, LonePart)
         assert pair.rings == lone.rings == (1,)
         assert lone.style(gone).opacity == 0
-        (some,) = lone.curves(np.array([0.75 if gone == 0 else 0.25]))
+        (some,) = lone.curves(np.array([0.5 if gone == 0 else 0.25]))
         assert 10 < np.ptp(some.reshape(-1, 2), axis=0).max() < 55
 
 

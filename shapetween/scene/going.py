@@ -24,6 +24,10 @@ GOES, COMES = (0.0, 0.44), (0.42, 1.0)
 #: stays, between the two.
 ALL_GO, ALL_COME = (0.0, 0.48), (0.42, 1.0)
 
+#: When what has no partner comes where nothing goes that it would have to wait for. Later, and for
+#: half of the time nothing happens; from the very start, and it comes with a jerk.
+ONLY_COME = (0.12, 1.0)
+
 #: Share of its time by which each piece of a composed line waits for the one that it hangs on.
 WAITS = 0.35
 
@@ -68,16 +72,21 @@ class Side:
     arrives : bool
     gaps : tuple of Item
         Pieces that are cut out of the other drawing's lines.
+    only : bool
+        Whether the other drawing has nothing without a partner.
     """
 
     scene: Scene
     hosts: Hosts
     arrives: bool
     gaps: tuple[Item, ...] = ()
+    only: bool = False
 
     @cached_property
     def window(self) -> tuple[float, float]:
         """When what has no partner goes or comes, by how much of the drawing stays."""
+        if self.only and self.arrives:
+            return ONLY_COME
         areas = np.array([item.area for item in self.scene.items])
         areas[self.scene.sheets] = 0.0
         whole = float(areas.sum())

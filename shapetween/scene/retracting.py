@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.scene.clusters import Cluster, is_line
-from shapetween.scene.forms import Segment
+from shapetween.scene.forms import OpenLine, Segment
 from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
 from shapetween.scene.items import Item
 from shapetween.scene.places import Places
@@ -129,9 +129,11 @@ def _retracted(
                 for j, end in zip(on, ends, strict=True)
             ]
             if on[0] is not None and on[1] is not None:
-                end = int(first_end(ends))  # from both, the halves would meet in a seam
-                leaving = Leaving(window, kept=float(end), least=STUB)
-                found[k] = Going(leaving, carries[end])
+                # From both ends, its halves would meet in a seam, or break into prongs.
+                end = int(first_end(ends))
+                middle = not side.arrives and isinstance(scene.forms[k], Segment)
+                leaving = Leaving(window, kept=0.5 if middle else float(end), least=STUB)
+                found[k] = Going(leaving, () if middle else carries[end])
             elif on != (None, None):
                 leaving = Leaving(window, kept=float(on[0] is None), least=STUB)
                 found[k] = Going(leaving, carries[0] or carries[1])
@@ -224,7 +226,17 @@ def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
     ]
     if any(all(axis.mates[j] == j for j in (k, *others)) for axis in scene.axes):
         return 0.5
+    if parent is not None and scene.items[parent].filled and _is_plain(k, scene):
+        return 0.5
+    if not side.arrives and isinstance(scene.forms[k], Segment):
+        return 0.5
     return first_end(ends)
+
+
+def _is_plain(k: int, scene: Scene) -> bool:
+    """Whether a line has no corner, as a mouth or a brow: ticks are drawn as one writes them."""
+    form = scene.forms[k]
+    return isinstance(form, Segment) or (isinstance(form, OpenLine) and not len(form.corners))
 
 
 def first_end(ends: Points) -> float:

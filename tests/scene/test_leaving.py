@@ -90,11 +90,11 @@ def test_eyes_open_about_their_own_middles_at_one_moment(tmp_path: Path) -> None
 def test_a_sign_of_lines_grows_as_one_and_keeps_its_weight(tmp_path: Path) -> None:
     """Only what is not yet half as large has thinner strokes, or it would be a blot."""
     parts = lone(morph(tmp_path, RING, RING + PLUS, ICON), arrives=True)
-    for t, weight in ((0.45, 1.3), (0.6, 2.0), (0.8, 2.0)):
+    for t, weight in ((0.15, 1.3), (0.4, 2.0), (0.8, 2.0)):
         widths = {round(p.style(t).stroke.width, 6) for p in parts}  # type: ignore[union-attr]
         lengths = {round(float(np.ptp(box(p, t), axis=0).max()), 6) for p in parts}
         assert len(widths) == len(lengths) == 1
-        assert 0.3 * 8 < lengths.pop() < 8
+        assert 0.2 * 8 < lengths.pop() < 8
         assert widths.pop() == pytest.approx(weight, rel=0.2)
     for part in parts:
         np.testing.assert_allclose(box(part, 0.5).mean(axis=0), [12, 12], atol=1e-6)
@@ -301,7 +301,7 @@ def test_what_is_asked_for_is_done(tmp_path: Path, change: Change) -> None:
         return
     assert part.style(0.7).opacity == 1
     assert 0.1 < length < 0.99
-    width = part.style(0.45).stroke.width  # type: ignore[union-attr]
+    width = part.style(0.2).stroke.width  # type: ignore[union-attr]
     assert (width < 2) == (change != "draw")
     middle = half.mean(axis=0)
     if change == "grow":
@@ -391,3 +391,21 @@ def test_a_line_between_two_that_stay_is_drawn_from_one_end(tmp_path: Path) -> N
         assert low[0] == pytest.approx(4)
         assert 0.14 * 16 < high[0] - low[0] < 16
     assert set(opacities(rail, np.linspace(0, 1, 101)).tolist()) == {0.0, 1.0}
+
+
+def test_what_comes_does_not_wait_where_nothing_goes(tmp_path: Path) -> None:
+    eye, _ = lone(morph(tmp_path, FACE, FACE + EYES), arrives=True)
+    assert eye.style(0.2).opacity == 1
+    went = FACE + '<path d="M10 16h4v2h-4z"/>'
+    found = morph(tmp_path, went, FACE + EYES)
+    assert all(part.style(0.2).opacity == 0 for part in lone(found, arrives=True))
+
+
+def test_a_mouth_goes_to_its_middle_and_a_tick_to_where_one_begins_it(tmp_path: Path) -> None:
+    style = 'fill="none" stroke="#000" stroke-width="2"'
+    mouth = f'<path d="M8 15c2 2 6 2 8 0" {style}/>'
+    (part,) = lone(morph(tmp_path, FACE + mouth, FACE), arrives=False)
+    assert box(part, 0.3).mean(axis=0)[0] == pytest.approx(12, abs=0.05)
+    tick = f'<path d="M7 12l3 3 7-7" {style}/>'
+    (part,) = lone(morph(tmp_path, FACE + tick, FACE), arrives=False)
+    assert box(part, 0.3)[0, 0] == pytest.approx(7, abs=0.05)
