@@ -65,7 +65,13 @@ COARSEST = 100
 #: Steps by which rounding may add to the error allowed: what rounding the places themselves does.
 ROUNDING = 0.5
 
-#: Share by which choices and rounding keep off ties, so that no last bit decides.
+#: Share of what the best easing explains by which others that explain less are as good. Smaller,
+#: and rounding, which late in a pursuit is a billionth of it, chooses among the many that
+#: are nearly alike, otherwise on other processors; larger takes more easings.
+ALIKE = 1e-5
+
+#: The same of the first easing, and the share of a step by which rounding keeps off ties. Larger,
+#: and the one easing that a movement is is not found; smaller, and last bits decide.
 TIE = 1e-7
 
 
@@ -189,11 +195,16 @@ class _Task:
 
 
 def _compressed(values: Floats) -> Floats:
-    """Fewer columns with the same products among rows, (S, D) to (S, R)."""
-    few = values.shape[1] < len(values)
-    powers, axes = np.linalg.eigh(values.T @ values if few else values @ values.T)
-    kept = powers > NOISE**2 * powers[-1]
-    return np.asarray(values @ axes[:, kept] if few else axes[:, kept] * np.sqrt(powers[kept]))
+    """Fewer columns with the same products among rows, (S, D) to (S, R).
+
+    By reflections, as products of the values keep but half of their digits, and what is left of a
+    movement late in the pursuit is less than that.
+    """
+    if values.shape[1] > len(values):
+        values = np.asarray(np.linalg.qr(values.T, mode="r")).T
+    axes, sizes, _ = np.linalg.svd(values, full_matrices=False)
+    kept = sizes > NOISE * sizes[0]
+    return np.asarray(axes[:, kept] * sizes[kept])
 
 
 class _Pursuit:
@@ -223,29 +234,41 @@ class _Pursuit:
             for place in range(len(self.chosen)):
                 others = self.chosen[:place] + self.chosen[place + 1 :]
                 best, gain = self._best(others)
-                if gain > self._gain(others, self.chosen[place]) * (1 + TIE):
+                if gain > self._gain(others, self.chosen[place]) * (1 + _alike(others)):
                     self.chosen[place] = best
         return before != self.chosen
 
     def _gains(self, others: list[int]) -> Floats:
         """How much more each column explains where some are given."""
         size, values = self._sizes, self._values
+        library = self._library
         if others:
-            basis = np.linalg.qr(self._library[:, others])[0]
-            size = size - ((basis.T @ self._library) ** 2).sum(axis=0)
+            # Differences first: the ends, which weigh most, drop out of them exactly, and leave
+            # rounding no way into the little that tells easings apart.
+            given = library[:, others]
+            basis = np.linalg.qr(np.column_stack([_basis(given), given[:, 0]]))[0]
+            library = library - given[:, :1]
+            library -= basis @ (basis.T @ library)
+            # Lengths of what is left: a difference of squares keeps but half of their digits.
+            size = (library**2).sum(axis=0)
             values = values - basis @ (basis.T @ values)
         known = size > 1e-9 * self._sizes
-        gains = ((self._library.T @ values) ** 2).sum(axis=1)
+        gains = ((library.T @ values) ** 2).sum(axis=1)
         return np.asarray(gains * known / np.where(known, size, 1.0))
 
     def _best(self, others: list[int]) -> tuple[int, float]:
         gains = self._gains(others)
         # Of those that are as good, the first, whatever the rounding.
-        best = int((gains >= gains.max() * (1 - TIE)).argmax())
+        best = int((gains >= gains.max() * (1 - _alike(others))).argmax())
         return best, float(gains[best])
 
     def _gain(self, others: list[int], column: int) -> float:
         return float(self._gains(others)[column])
+
+
+def _alike(others: list[int]) -> float:
+    """Share by which columns may differ that are as good: alone, nearly all meets the end."""
+    return ALIKE if others else TIE
 
 
 def _basis(easings: Floats) -> Floats:

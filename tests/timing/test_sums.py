@@ -170,3 +170,21 @@ def test_units_do_not_matter(scale: float) -> None:
     assert other is not None
     assert usual.easings == other.easings
     np.testing.assert_array_equal(usual.terms, other.terms)
+
+
+@pytest.mark.parametrize("bent", range(1, 7))
+def test_the_last_bits_of_places_choose_no_easing(bent: int) -> None:
+    points = turning(1.7, CLOCK)
+    points[:, ::3, 0] += 10 * bent * np.sin(5 * CLOCK)[:, None] * np.linspace(0, 1, 14)
+    points[:, 1::3, 1] += 8 * bent * CLOCK[:, None] ** 3 * np.linspace(-1, 1, 13)
+    noise = np.random.default_rng(bent).uniform(-2e-13, 2e-13, (3, *points.shape))
+    noise[:, [0, -1]] = 0
+    sums = [
+        sum_of_easings(places, CLOCK, STEP, TOLERANCE / 10, np.ones(40))
+        for places in (points, *(points * (1 + noise)))
+    ]
+    first = sums[0]
+    assert first is not None
+    for other in sums[1:]:
+        assert other is not None
+        assert other.easings == first.easings
