@@ -33,10 +33,10 @@ def studio(drawings: tuple[Path, ...], port: int, no_open: bool) -> None:
             session.open_paths(list(drawings))
             server = Server(session, secrets.token_urlsafe(24), port)
             thread = server.start()
-            click.echo(f"The studio is at {server.address}\nEnd it with Ctrl-C.")
-            if not no_open:
-                webbrowser.open(server.address)
-            try:
+            try:  # from here on: who reads the address may end it at once
+                click.echo(f"The studio is at {server.address}\nEnd it with Ctrl-C.")
+                if not no_open:
+                    webbrowser.open(server.address)
                 while thread.is_alive():
                     thread.join(1.0)
             except KeyboardInterrupt:
