@@ -10,7 +10,7 @@ from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.motion.holes import opened
-from shapetween.scene.motion.tracks import Meshless, Track
+from shapetween.scene.motion.tracks import Meshless, OfTrack
 from shapetween.scene.presence import smooth_step
 
 __all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped"]
@@ -246,27 +246,16 @@ class Telescoped(Meshless):
 
 
 @dataclass(frozen=True, eq=False)
-class InTurn(Meshless):
+class InTurn(OfTrack):
     """A track that runs in the first or the second half of the time.
 
     Attributes
     ----------
-    track : Track
     first : bool
+        Whether in the first one.
     """
 
-    track: Track
     first: bool
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """As the track's."""
-        return self.track.counts
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """As the track's."""
-        return self.track.closed
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
@@ -274,25 +263,8 @@ class InTurn(Meshless):
 
 
 @dataclass(frozen=True, eq=False)
-class Against(Meshless):
-    """A track whose rings run the other way round.
-
-    Attributes
-    ----------
-    track : Track
-    """
-
-    track: Track
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """As the track's."""
-        return self.track.counts
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """As the track's."""
-        return self.track.closed
+class Against(OfTrack):
+    """A track whose rings run the other way round."""
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""

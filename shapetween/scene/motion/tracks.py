@@ -13,7 +13,17 @@ from shapetween.geometry.rotation import rotations
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = ["Blend", "Elastic", "Frame", "Meshless", "Mirrored", "OfPieces", "Shared", "Track"]
+__all__ = [
+    "Blend",
+    "Elastic",
+    "Frame",
+    "Meshless",
+    "Mirrored",
+    "OfPieces",
+    "OfTrack",
+    "Shared",
+    "Track",
+]
 
 #: Least width of a card that turns over, as a share of its own: it is seen on its edge, not gone.
 EDGE = 0.08
@@ -205,22 +215,16 @@ class Frame:
         return np.column_stack([linear, self.centres[0] - linear @ self.centres[1]])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Mirrored(Meshless):
-    """The mirror image of a track, about an axis that moves evenly.
+@dataclass(frozen=True, eq=False)
+class OfTrack(Meshless):
+    """Rings that are those of a track, moved in another way.
 
     Attributes
     ----------
     track : Track
-    flips : int
-        0 about an upright axis, 1 about a level one.
-    places : (float, float)
-        Where the axis is at both ends.
     """
 
     track: Track
-    flips: int
-    places: tuple[float, float]
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -231,6 +235,22 @@ class Mirrored(Meshless):
     def closed(self) -> tuple[bool, ...]:
         """As the track's."""
         return self.track.closed
+
+
+@dataclass(frozen=True, eq=False)
+class Mirrored(OfTrack):
+    """The mirror image of a track, about an axis that moves evenly.
+
+    Attributes
+    ----------
+    flips : int
+        0 about an upright axis, 1 about a level one.
+    places : (float, float)
+        Where the axis is at both ends.
+    """
+
+    flips: int
+    places: tuple[float, float]
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
