@@ -19,6 +19,7 @@ Kind: TypeAlias = Literal[
     "too-many-pieces",
     "too-many-holes",
     "facing",
+    "exchanged",
     "other",
 ]
 """What a notice is about.
@@ -28,7 +29,8 @@ replaced by what it shows. uncertain: matched with little certainty. other-match
 matching was taken. parted: strands that would cross are kept apart. crossing, details-touch:
 outlines or small details of them cross on the way. coarse: matched or moved by a simplified
 outline. bare-mesh: nothing keeps the outline from folding. too-many-pieces, too-many-holes: some
-are moved more simply. facing: the drawings seem to face opposite ways.
+are moved more simply. facing: the drawings seem to face opposite ways. exchanged: the drawings have
+too little in common for their parts to become each other.
 """
 
 

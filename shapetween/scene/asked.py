@@ -39,12 +39,15 @@ class Asked:
     change : str or None
     pins : (K, 4) float64
         In the movement's frame.
+    exchange : bool
+        Whether drawings that have little in common may be exchanged as wholes.
     """
 
     groups: tuple[Group, ...] = ()
     price: float = 1.0
     change: Change | None = None
     pins: Points = field(default_factory=lambda: np.zeros((0, 4)))
+    exchange: bool = False
 
 
 def groups_of(

@@ -15,6 +15,12 @@ from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import Claimed, FillSettings
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
+from shapetween.scene.exchange import (
+    EXCHANGED,
+    difference,
+    exchange_goings,
+    exchange_roles,
+)
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
@@ -23,13 +29,20 @@ from shapetween.scene.leaving import goings_between
 from shapetween.scene.lone import lone_part
 from shapetween.scene.motion.tracks import Frame, Shared, Track
 from shapetween.scene.order import Layer, layers_of
-from shapetween.scene.pairing import pair_items
+from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPart, ScenePart, joined_parts, pair_part
-from shapetween.scene.relations import Scene
+from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.strokes import as_painted
 
 __all__ = ["SceneMovement", "move_scene"]
+
+#: What is told of drawings that are exchanged.
+EXCHANGED_NOTICE = Notice(
+    "exchanged",
+    "the drawings have so little in common that the first goes as a whole and the second comes",
+    instead="to move parts into parts all the same, give --loose, or --match for parts",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +130,11 @@ def move_scene(
     (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
     still = paired.still
     said: list[Notice] = []
+    exchange = asked.exchange and not kept and _too_different(paired)
+    if exchange:
+        a, b = perceive(first, views[0]), perceive(second, views[1])
+        roles = exchange_roles(a, b, roles, paired.scenes)
+        said.append(EXCHANGED_NOTICE)
     with settings.observe("move"):
         tracks: dict[int, tuple[Track, ...]] = {}
         mains = main_pairs(a, b, roles)
@@ -133,7 +151,13 @@ def move_scene(
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
-        goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
+        if exchange:
+            goings = (
+                exchange_goings(a, roles.leavers, False),
+                exchange_goings(b, roles.comers, True),
+            )
+        else:
+            goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
         parts: list[ScenePart] = []
         named: set[str] = set()
         for part in joined_parts(
@@ -142,6 +166,14 @@ def move_scene(
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
     return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
+
+
+def _too_different(paired: Paired) -> bool:
+    """Whether the drawings are exchanged; one thing becomes another, whatever the two are."""
+    a, b = paired.scenes
+    if paired.frame is not None or len(a.items) == len(b.items) == 1:
+        return False
+    return difference(a, b, paired.roles) > EXCHANGED
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:
