@@ -203,7 +203,7 @@ def prepare(
         for warning in drawing.warnings
     ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
-    free = chosen.pairing != "loose" and not (groups or len(pins) or meshed)
+    free = chosen.pairing != "loose" and not (groups or len(pins) or meshed or chosen.change)
     asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins, exchange=free)
     areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said

@@ -169,9 +169,14 @@ def move_scene(
 
 
 def _too_different(paired: Paired) -> bool:
-    """Whether the drawings are exchanged; one thing becomes another, whatever the two are."""
+    """Whether the drawings are exchanged.
+
+    One thing by itself becomes what it pairs with, whatever the two are.
+    """
     a, b = paired.scenes
-    if paired.frame is not None or len(a.items) == len(b.items) == 1:
+    if paired.frame is not None:
+        return False
+    if len(paired.roles.pairs) and min((~a.sheets).sum(), (~b.sheets).sum()) == 1:
         return False
     return difference(a, b, paired.roles) > EXCHANGED
 

@@ -1,0 +1,125 @@
+"""Drawings with little in common: one goes as a whole, the other comes."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from shapetween import Morph, morph
+from shapetween.base.arrays import Floats
+from shapetween.svg.read.reader import read_svg
+
+VIEW = "0 0 100 100"
+FACE = (
+    '<circle cx="50" cy="50" r="40" fill="#fc0"/><circle cx="35" cy="40" r="5"/>'
+    '<circle cx="65" cy="40" r="5"/><path d="M30 62q20 20 40 0" fill="none" stroke="#000"/>'
+)
+SAD = FACE.replace("q20 20", "q20 -20")
+GROUND = '<ellipse cx="50" cy="94" rx="30" ry="4" fill="#ddd"/>'
+STAR = (
+    '<path d="M50 2l6 38 38-6-32 20 22 36-34-24-34 24 22-36-32-20 38 6z" fill="#394"/>'
+    '<path d="M20 8h8v8z" fill="#fa0"/><path d="M80 70v9h-9z" fill="#a0f"/>'
+)
+CAR = (
+    '<path d="M8 60h84v18h-84z" fill="#c22"/><path d="M26 60l10-18h28l10 18z" fill="#9cf"/>'
+    '<circle cx="28" cy="80" r="11" stroke="#222" stroke-width="4" fill="#888"/>'
+    '<circle cx="72" cy="80" r="11" stroke="#222" stroke-width="4" fill="#888"/>'
+    '<path d="M40 66h8v2h-8z"/><path d="M84 64h6v4h-6z" fill="#ff8"/>'
+)
+
+
+def made(tmp_path: Path, first: str, second: str, **options: Any) -> Morph:
+    paths = [tmp_path / "a.svg", tmp_path / "b.svg"]
+    for path, inner in zip(paths, (first, second), strict=True):
+        path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{VIEW}">{inner}</svg>')
+    return morph(*paths, **options)
+
+
+def is_exchanged(found: Morph) -> bool:
+    return any(notice.kind == "exchanged" for notice in found.notices)
+
+
+def boxes(found: Morph, t: float) -> list[Floats]:
+    """Least and greatest corner of what is seen at one time, part by part."""
+    (frame,) = found.movements[0].at(np.array([t]))
+    seen = [shape for shape in frame.shapes if shape.style.opacity > 0]
+    corners: list[NDArray[np.float64]] = []
+    for shape in seen:
+        points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
+        corners.append(np.stack([points.min(axis=0), points.max(axis=0)]))
+    return corners
+
+
+def test_a_car_leaves_as_a_whole_and_a_star_comes(tmp_path: Path) -> None:
+    found = made(tmp_path, CAR, STAR)
+    assert is_exchanged(found)
+    assert "--loose" in " ".join(found.warnings)
+    home = np.array(boxes(found, 0.0))
+    for t in (0.1, 0.2, 0.3, 0.4):
+        now = np.array(boxes(found, t))
+        assert now.shape == home.shape  # the star is not seen yet
+        # Everything is where one shrinking takes it.
+        size = np.ptp(now[0], axis=0)[0] / np.ptp(home[0], axis=0)[0]
+        assert 0.28 < size < 1
+        middle = np.array([home[:, 0].min(axis=0), home[:, 1].max(axis=0)]).mean(axis=0)
+        np.testing.assert_allclose(now - middle, size * (home - middle), atol=2.5)
+
+
+def test_strokes_shrink_with_the_drawing(tmp_path: Path) -> None:
+    found = made(tmp_path, CAR, STAR)
+    widths = []
+    for t in (0.0, 0.35):
+        (frame,) = found.movements[0].at(np.array([t]))
+        (width,) = {s.style.stroke.width for s in frame.shapes if s.style.stroke is not None}
+        widths.append(width)
+    sizes = [np.ptp(boxes(found, t)[0], axis=0)[0] for t in (0.0, 0.35)]
+    assert widths[1] / widths[0] == pytest.approx(sizes[1] / sizes[0], rel=1e-6)
+
+
+def test_at_no_time_is_nothing_seen_and_no_speck(tmp_path: Path) -> None:
+    found = made(tmp_path, CAR, STAR)
+    for t in np.linspace(0, 1, 201).tolist():
+        corners = np.array(boxes(found, t))
+        assert len(corners)
+        assert np.ptp(corners, axis=1).max() > 0.25 * 60
+
+
+def test_the_ground_that_both_stand_on_stays(tmp_path: Path) -> None:
+    found = made(tmp_path, GROUND + CAR, GROUND + STAR)
+    assert is_exchanged(found)
+    for t in (0.0, 0.3, 0.46, 0.7, 1.0):
+        assert any(
+            abs(box[0] - [20, 90]).max() < 1e-6 and abs(box[1] - [80, 98]).max() < 1e-6
+            for box in boxes(found, t)
+        )
+    assert np.array(boxes(found, 0.4))[:, 1, 1].max() < 98 + 1e-6
+
+
+def test_a_face_stays_and_only_its_mouth_moves(tmp_path: Path) -> None:
+    assert not is_exchanged(made(tmp_path, FACE, SAD))
+
+
+def test_one_thing_becomes_another_whatever_the_two_are(tmp_path: Path) -> None:
+    star = '<path d="M50 5l12 33 35 1-28 22 10 34-29-20-29 20 10-34-28-22 35-1z"/>'
+    assert not is_exchanged(made(tmp_path, star, '<path d="M10 45h80v8h-80z"/>'))
+
+
+@pytest.mark.parametrize("asked", [{"pairing": "loose"}, {"matches": [("#1", "#1")]}])
+def test_who_asks_for_parts_gets_parts(tmp_path: Path, asked: dict[str, Any]) -> None:
+    assert not is_exchanged(made(tmp_path, CAR, STAR, **asked))
+
+
+def test_both_ends_are_as_drawn(tmp_path: Path) -> None:
+    found = made(tmp_path, CAR, STAR)
+    for t, name in ((0.0, "a.svg"), (1.0, "b.svg")):
+        (frame,) = found.movements[0].at(np.array([t]))
+        seen = [shape for shape in frame.shapes if shape.style.opacity > 0]
+        drawn = read_svg((tmp_path / name).read_bytes(), name).shapes
+        assert len(seen) == len(drawn)
+        for one, other in zip(seen, drawn, strict=True):
+            assert one.style.fill == other.style.fill
+            np.testing.assert_allclose(
+                one.rings[0].curves.min(axis=(0, 1)), other.rings[0].curves.min(axis=(0, 1))
+            )
