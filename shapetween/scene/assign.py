@@ -19,6 +19,7 @@ from shapetween.scene.costs import (
 from shapetween.scene.evidence import Evidence, twins_cost
 from shapetween.scene.relations import Scene
 from shapetween.scene.sets import Ordered
+from shapetween.scene.torn import torn
 
 __all__ = ["Role", "Roles", "alike_in_place", "assign"]
 
@@ -109,6 +110,7 @@ def assign(
     never |= a.sheets[:, None] != b.sheets
     # A fill's outline goes where the fill goes, so to another outline or to nothing.
     never |= ((a.outlined >= 0)[:, None] != (b.outlined >= 0)) & ~_nearly_same(a, b)
+    never |= torn(a, b)
     settled = dict.fromkeys(given, "given")
     if not settled:
         settled = dict.fromkeys(_all_in_order(a, b, ordered, never), "alike")

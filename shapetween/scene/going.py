@@ -11,6 +11,7 @@ from shapetween.base.arrays import Points
 from shapetween.scene.clusters import Hosts
 from shapetween.scene.forms import Dot, Segment
 from shapetween.scene.items import Item
+from shapetween.scene.motion.fold import Fold
 from shapetween.scene.presence import NEAR, Carry, Leaving
 from shapetween.scene.relations import Scene
 
@@ -50,14 +51,18 @@ class Going:
     ----------
     leaving : Leaving
     carries : tuple of Carry
-        One for all of it, one for each half of a line that goes into both its ends, or none.
+        One for all of it, one for each half of a line that goes into both its ends, one for each
+        end of a line that goes into its middle, or none.
     cut : float
         Where that line is cut, as a share of its length.
+    fold : Fold or None
+        How a line folds down onto what it hangs on, instead.
     """
 
     leaving: Leaving
     carries: tuple[Carry, ...] = ()
     cut: float = 0.5
+    fold: Fold | None = None
 
 
 @dataclass(frozen=True, eq=False)

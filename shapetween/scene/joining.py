@@ -1,11 +1,11 @@
-"""Lines that were written in several pieces: where two ends meet in one direction, they are one."""
+"""Lines that were written in several pieces: what goes on straight, and both legs of an arrow."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Points
+from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.fill.naming import is_given
 from shapetween.geometry.bezier import end_tangents
 from shapetween.model.outline import Outline
@@ -20,6 +20,10 @@ MEET = 1e-3
 #: Cosine of the angle within which two lines go on as one.
 STRAIGHT = np.cos(np.deg2rad(12.0))
 
+#: Greatest angle between a leg of an arrow and its shaft, radians, and difference of two legs'
+#: angles, as cosines, and of their lengths, as a share. Larger, and crossroads are arrows.
+LEG, EVEN = np.cos(np.deg2rad(75.0)), 0.02
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _End:
@@ -32,7 +36,7 @@ class _End:
 
 
 def joined_lines(items: Sequence[Item]) -> tuple[Item, ...]:
-    """The items with lines put together that go on in each other, in one style.
+    """The items with lines put together that go on in each other, in one style, or are a head.
 
     Parameters
     ----------
@@ -84,11 +88,41 @@ def _links(ends: list[_End], items: Sequence[Item]) -> dict[tuple[int, bool], tu
             continue
         found.append((-round(float(straight[i, j]), 6), i, j))
     links: dict[tuple[int, bool], tuple[int, bool]] = {}
-    for _, i, j in sorted(found):
+    for _, i, j in sorted(found) + _heads(ends, away, straight, items):
         one_end, other_end = (ends[i].item, ends[i].last), (ends[j].item, ends[j].last)
         if one_end not in links and other_end not in links:
             links[one_end], links[other_end] = other_end, one_end
     return links
+
+
+def _heads(
+    ends: list[_End], away: Floats, straight: Floats, items: Sequence[Item]
+) -> list[tuple[float, int, int]]:
+    """Ends at which the two legs of an arrow's head meet on its shaft, of corners that are round.
+
+    Whether a head is written as one line or as two never counts.
+    """
+    widths = np.array([items[end.item].width for end in ends])
+    meets = away <= MEET * widths
+    found = []
+    for k in np.flatnonzero(meets.sum(axis=1) == 3).tolist():
+        i, j = (n for n in np.flatnonzero(meets[k]).tolist() if n != k)
+        one, other, shaft = (items[ends[n].item] for n in (i, j, k))
+        stroke = one.style.stroke
+        if stroke is None or not stroke.cap == stroke.join == "round":
+            continue
+        if not one.style == other.style == shaft.style or _kept_apart(one, other):
+            continue
+        if (
+            len({ends[n].item for n in (i, j, k)}) < 3
+            or max(len(one.outer.curves), len(other.outer.curves)) > 1
+        ):
+            continue
+        legs = -straight[k, [i, j]]
+        even = abs(legs[0] - legs[1]) < EVEN and abs(one.length - other.length) < EVEN * one.length
+        if even and legs.min() > LEG and straight[i, j] > -1 + EVEN:
+            found.append((0.0, i, j))
+    return found
 
 
 def _kept_apart(one: Item, other: Item) -> bool:

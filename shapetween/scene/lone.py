@@ -30,7 +30,8 @@ def lone_part(
     """
     leaving, carries = going.leaving, going.carries
     painted = item.painted
-    if painted is not None and leaving.kept is None:  # nothing asks for its line
+    fold = going.fold
+    if painted is not None and leaving.kept is None and fold is None:  # nothing asks for its line
         rings = [ring.curves for ring in painted.rings]
         closed = (True,) * len(rings)
         return LonePart(
@@ -42,8 +43,12 @@ def lone_part(
         rings[1:] = [curves[::-1, ::-1] for curves in rings[1:]]
     if isinstance(leaving.kept, tuple):
         rings, closed = _halves(item.outer, going.cut), (False, False)
+    if fold is not None:
+        rings = [fold.pieces.source]
     if painted is not None:
-        line = LonePart(item.name, painted.style, tuple(rings), closed, leaving, arrives, carries)
+        line = LonePart(
+            item.name, painted.style, tuple(rings), closed, leaving, arrives, carries, fold=fold
+        )
         stroked = stroked_lone_part(line, item, frame)
         if stroked is not None:
             return stroked
@@ -52,7 +57,9 @@ def lone_part(
         return LonePart(
             item.name, painted.style, tuple(rings), closed, leaving, arrives, carries[:1], frame
         )
-    return LonePart(item.name, item.style, tuple(rings), closed, leaving, arrives, carries, frame)
+    return LonePart(
+        item.name, item.style, tuple(rings), closed, leaving, arrives, carries, frame, fold
+    )
 
 
 def _halves(line: Outline, at: float) -> list[Curves]:

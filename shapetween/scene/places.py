@@ -8,7 +8,7 @@ from shapetween.base.arrays import Curves, Floats, Index, Points
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
 
-__all__ = ["Pieces", "Places", "cut_alike", "run_of"]
+__all__ = ["Pieces", "Places", "cut_alike", "run_between", "run_of"]
 
 #: Chords that each curve's length is taken from. Places only have to correspond, so a few do.
 CHORDS = 24
@@ -198,3 +198,14 @@ def run_of(places: Places, start: float, end: float) -> Outline:
     own = Places(Outline(curves, False))
     last = int(np.abs(own.joints - (end - start)).argmin())
     return Outline(curves[: max(last, 1)], False)
+
+
+def run_between(places: Places, start: float, end: float) -> Outline:
+    """An outline from one share to another, backwards if need be; of a closed one the short way."""
+    if not places.outline.closed:
+        run = run_of(places, min(start, end), max(start, end))
+        return run if end > start else run.reversed()
+    ahead = end - start - np.floor(end - start)
+    if ahead > 0.5 + SAME:
+        return run_of(places, end, end + 1 - ahead).reversed()
+    return run_of(places, start, start + ahead)

@@ -19,6 +19,7 @@ from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.model.gradients import has_gradient, moved_style
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Stroke, Style
+from shapetween.scene.motion.fold import Fold
 from shapetween.scene.motion.tracks import Frame, Track
 from shapetween.scene.places import Places
 
@@ -187,9 +188,12 @@ class LonePart:
     arrives : bool
         Whether it comes instead.
     carries : tuple of Carry
-        What each ring goes along with, or all of them, or nothing.
+        What each ring goes along with, or all of them, or nothing; of one line two things, which
+        its ends go along with.
     frame : Frame or None
         What the whole drawing moves in.
+    fold : Fold or None
+        How it folds, if it does.
     """
 
     name: str
@@ -200,6 +204,7 @@ class LonePart:
     arrives: bool
     carries: tuple[Carry, ...] = ()
     frame: Frame | None = None
+    fold: Fold | None = None
 
     @property
     def rings(self) -> tuple[int, ...]:
@@ -212,7 +217,9 @@ class LonePart:
         kept = self.leaving.kept
         shares = kept if isinstance(kept, tuple) else (kept,) * len(self.curves_at_home)
         rings = [
-            np.repeat(curves[None], len(t), axis=0)
+            self.fold.curves(t, gone)
+            if self.fold is not None
+            else np.repeat(curves[None], len(t), axis=0)
             if share is None
             else retracted(curves, self.leaving.size(gone), share)
             for curves, share in zip(self.curves_at_home, shares, strict=True)
@@ -227,8 +234,10 @@ class LonePart:
             result = np.concatenate(rings, axis=1)
         else:
             result = np.concatenate(rings, axis=1)
-            for carry in self.carries:
-                result = _carried(result, *carry.moved(t), carry)
+            if len(self.carries) > 1:
+                result = _spanned(result, self.carries, t)
+            elif self.carries:
+                result = _carried(result, *self.carries[0].moved(t), self.carries[0])
         if self.frame is not None:
             result = self.frame.carried(result, t)
         home = np.concatenate(self.curves_at_home)
@@ -264,6 +273,15 @@ def _carried(curves: Curves, places: Points, ratio: Floats, carry: Carry) -> Cur
     """Curves (F, N, 4, 2) about a place that has moved, turned and grown."""
     local = as_complex(curves - carry.place) * ratio[:, None, None]
     return np.asarray(as_points(local) + places[:, None, None])
+
+
+def _spanned(curves: Curves, carries: tuple[Carry, ...], t: Floats) -> Curves:
+    """Curves (F, N, 4, 2) between two places that have moved."""
+    one, other = (_one(carry.place) for carry in carries)
+    starts, ends = (as_complex(carry.moved(t)[0]) for carry in carries)
+    ratio = (ends - starts) / (other - one)
+    local = (as_complex(curves) - one) * ratio[:, None, None]
+    return np.asarray(as_points(local + starts[:, None, None]))
 
 
 def _thinned(stroke: Stroke, size: float) -> Stroke:

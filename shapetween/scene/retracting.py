@@ -7,11 +7,12 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.scene.clusters import Cluster, is_line
+from shapetween.scene.folding import fold_onto
 from shapetween.scene.forms import OpenLine, Segment
 from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
 from shapetween.scene.items import Item
 from shapetween.scene.places import Places
-from shapetween.scene.presence import BOTH, Leaving
+from shapetween.scene.presence import BOTH, Carry, Leaving
 from shapetween.scene.relations import Scene
 
 __all__ = ["first_end", "gap_going", "retracted_lines"]
@@ -129,11 +130,7 @@ def _retracted(
                 for j, end in zip(on, ends, strict=True)
             ]
             if on[0] is not None and on[1] is not None:
-                # From both ends, its halves would meet in a seam, or break into prongs.
-                end = int(first_end(ends))
-                middle = not side.arrives and isinstance(scene.forms[k], Segment)
-                leaving = Leaving(window, kept=0.5 if middle else float(end), least=STUB)
-                found[k] = Going(leaving, () if middle else carries[end])
+                found[k] = _between(k, (on[0], on[1]), (carries[0], carries[1]), window, side)
             elif on != (None, None):
                 leaving = Leaving(window, kept=float(on[0] is None), least=STUB)
                 found[k] = Going(leaving, carries[0] or carries[1])
@@ -144,6 +141,34 @@ def _retracted(
         (k,) = cluster.members
         found[k] = _line_alone(k, cluster.parent, side)
     return found
+
+
+def _between(
+    k: int,
+    on: tuple[int, int],
+    carries: tuple[tuple[Carry, ...], tuple[Carry, ...]],
+    window: tuple[float, float],
+    side: Side,
+) -> Going:
+    """How a line goes both ends of which lie on something.
+
+    It folds down onto that, or goes to its middle; from both ends, its halves would meet in a seam,
+    or break into prongs. A slash is drawn as one draws it.
+    """
+    item = side.scene.items[k]
+    ends = item.outer.curves[[0, -1], [0, 3]]
+    if np.abs(ends[1] - ends[0]).max() < ON * item.width:  # a loop
+        return Going(Leaving(window, ends[0], least=STUB), carries[0])
+    fold = fold_onto(k, on[0], side) if on[0] == on[1] and on[0] in side.hosts else None
+    if fold is not None:
+        return Going(Leaving(window), fold=fold)
+    mated = any(axis.mates[k] >= 0 for axis in side.scene.axes)
+    if mated or not (side.arrives and _slashes(k, None, side)):
+        apart = all(j in side.hosts for j in on)
+        spanned = carries[0] + carries[1] if apart else carries[0]
+        return Going(Leaving(window, kept=0.5, least=STUB), spanned)
+    end = int(first_end(ends))
+    return Going(Leaving(window, kept=float(end), least=STUB), carries[end])
 
 
 def _touched(k: int, others: Sequence[int], scene: Scene) -> float:
@@ -167,6 +192,7 @@ def _line_alone(k: int, parent: int | None, side: Side) -> Going:
     one writes, from the left or from the foot; on a mirror axis of all such from its middle.
     """
     scene, item = side.scene, side.scene.items[k]
+    crossed = _crossed(k, parent, side)
     host = parent if parent is not None else nearest_beside((k,), side)
     ends = item.outer.curves[[0, -1], [0, 3]]
     window, steady = side.window, _slashes(k, parent, side)
@@ -176,7 +202,9 @@ def _line_alone(k: int, parent: int | None, side: Side) -> Going:
     else:
         kept = _kept(k, parent, host, side)
     place = Places(item.outer).point(np.array([kept]))[0]
-    how: Literal["at", "beside"] = "at" if parent is not None else "beside"
+    if parent is None and crossed:
+        host = crossed[0]
+    how: Literal["at", "beside"] = "at" if parent is not None or crossed else "beside"
     carries = side.carry(host, place, how) if not steady else ()
     leaving = Leaving(window, kept=kept, least=0.0 if steady else STUB, steady=steady)
     return Going(leaving, carries)
@@ -205,11 +233,20 @@ def _slashes(k: int, parent: int | None, side: Side) -> bool:
     return bool(within.length > ACROSS * line.length and not once)
 
 
+def _crossed(k: int, parent: int | None, side: Side) -> list[int]:
+    """What stays and touches a line, but what that lies in or is drawn round."""
+    apart = (parent, int(side.scene.outlined[k]))
+    return [
+        j
+        for j in side.hosts
+        if side.scene.touching[k, j] and j not in apart and not side.scene.sheets[j]
+    ]
+
+
 def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
     """The share of a line that stays longest."""
     scene, item = side.scene, side.scene.items[k]
-    apart = (parent, int(scene.outlined[k]))
-    crossed = [j for j in side.hosts if scene.touching[k, j] and j not in apart]
+    crossed = _crossed(k, parent, side)
     if crossed:
         return _touched(k, crossed, scene)
     ends = item.outer.curves[[0, -1], [0, 3]]
@@ -230,6 +267,9 @@ def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
         return 0.5
     if not side.arrives and isinstance(scene.forms[k], Segment):
         return 0.5
+    for axis in scene.axes:
+        if axis.flips == 0 and axis.mates[k] not in (-1, k) and item.centre[0] > axis.place:
+            return first_end(ends * np.array([-1.0, 1.0]))  # as the mirror image of its mate
     return first_end(ends)
 
 

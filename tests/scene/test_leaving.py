@@ -382,13 +382,20 @@ def test_what_passes_another_is_seen_through_for_a_moment_only(tmp_path: Path) -
     assert 0.1 < copies[0].style(0.5).opacity < 0.9
 
 
-def test_a_line_between_two_that_stay_is_drawn_from_one_end(tmp_path: Path) -> None:
-    """Drawn from both, its halves would meet in a seam; and it is never a mere dot."""
+@pytest.mark.parametrize(("line", "even"), [("M4 12h16", True), ("M4 8l16 8", False)])
+def test_a_line_between_two_that_stay_is_drawn_as_one(
+    tmp_path: Path, line: str, even: bool
+) -> None:
+    """Drawn from both, its halves would meet in a seam; and it is never a mere dot.
+
+    On the mirror axis of all it comes from its middle, and else from one end.
+    """
     posts = '<path d="M4 2v20"/><path d="M20 2v20"/>'
-    (rail,) = lone(morph(tmp_path, posts, posts + '<path d="M4 12h16"/>', ICON), arrives=True)
+    (rail,) = lone(morph(tmp_path, posts, f'{posts}<path d="{line}"/>', ICON), arrives=True)
+    assert len(rail.rings) == 1
     for t in (0.45, 0.6, 0.8):
         low, high = box(rail, t)
-        assert low[0] == pytest.approx(4)
+        assert low[0] == pytest.approx(24 - high[0] if even else 4)
         assert 0.14 * 16 < high[0] - low[0] < 16
     assert set(opacities(rail, np.linspace(0, 1, 101)).tolist()) == {0.0, 1.0}
 

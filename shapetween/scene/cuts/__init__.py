@@ -7,6 +7,7 @@ from typing import TypeAlias
 from shapetween.base.arrays import Points
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import divided_areas
+from shapetween.scene.cuts.closing import closed_lines
 from shapetween.scene.cuts.division import Found
 from shapetween.scene.cuts.lines import shared_lines
 from shapetween.scene.cuts.rings import divided_rings
@@ -18,7 +19,7 @@ __all__ = ["Cut", "cut_alike_items"]
 Cutting: TypeAlias = Callable[[Scene, Scene, Sequence[Group]], Found]
 """From a scene whose items are cut, one whose items they become, and what the user asks for."""
 
-CUTS: tuple[Cutting, ...] = (shared_lines, divided_areas, divided_rings)
+CUTS: tuple[Cutting, ...] = (closed_lines, shared_lines, divided_areas, divided_rings)
 """All ways, in order."""
 
 
@@ -51,12 +52,7 @@ def cut_alike_items(
         Shapes that become each other because the user says so: one may become several.
     """
     given: list[tuple[Item, Item]] = []
-    cuts: Sequence[Callable[[Scene, Scene, Sequence[Group]], Found]] = (
-        shared_lines,
-        divided_areas,
-        divided_rings,
-    )
-    for cut in cuts:
+    for cut in CUTS:
         for backwards in (False, True):
             whole, parts = (b, a) if backwards else (a, b)
             asked = [(two, one) for one, two in groups] if backwards else groups

@@ -9,17 +9,20 @@ from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found, piece_of
 from shapetween.scene.items import Item
+from shapetween.scene.motion.knots import kinks_of
 from shapetween.scene.places import Places, run_of
 from shapetween.scene.relations import Scene
 
-__all__ = ["shared_lines"]
+__all__ = ["opaque", "shared_lines"]
 
 #: Distance of a line from the one that it lies on, as a share of the drawing, and difference of
 #: their lengths there.
 ON, LENGTH = 0.012, 0.1
 
-#: Least share of a line that its pieces take together.
-SHARED = 0.3
+#: Least share of a line that its pieces take together, and that those take which end at its ends
+#: and corners. Smaller, and lines break where another one just crosses them; larger, and the stem
+#: of a bell that is drawn with its dome leaves it.
+SHARED, AT_CORNERS = 0.3, 0.12
 
 #: Share of a line that a rest next to a piece takes and is left to it.
 REST = 0.02
@@ -38,7 +41,7 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     order = np.argsort(-comparable([item.length for item in whole.items]), kind="stable").tolist()
     for k in order:
         item = whole.items[k]
-        if item.filled or item.shape in kept or not _opaque(item):
+        if item.filled or item.shape in kept or not opaque(item):
             continue
         places = Places(item.outer)
         spans = []
@@ -50,7 +53,7 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
                 spans.append((*span, j))
         spans = _apart(sorted(spans), item.closed)
         total = sum(end - start for start, end, _ in spans)
-        if not spans or total < SHARED:
+        if not spans or total < (AT_CORNERS if _at_corners(places, spans) else SHARED):
             continue
         if len(spans) == 1 and not item.closed and total > 1 - REST:
             continue
@@ -59,7 +62,8 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     return found
 
 
-def _opaque(item: Item) -> bool:
+def opaque(item: Item) -> bool:
+    """Whether an item is seen as a plain stroke that hides what is behind it."""
     stroke = item.style.stroke
     if stroke is None or stroke.dashes or item.painted is not None:
         return False
@@ -93,6 +97,15 @@ def _span(places: Places, line: Item, item: Item, scale: float) -> tuple[float, 
         return None
     start = float(shares[0] - np.floor(shares[0]))
     return start, start + min(length, 1.0)
+
+
+def _at_corners(places: Places, spans: list[tuple[float, float, int]]) -> bool:
+    """Whether spans of a line start and end at its ends and corners alone."""
+    corners = np.append(kinks_of(places)[0], [] if places.outline.closed else [0.0, 1.0])
+    cuts = np.array([share for start, end, _ in spans for share in (start, end)])
+    if places.outline.closed:
+        cuts = cuts % 1.0
+    return bool((np.abs(cuts[:, None] - corners).min(axis=1, initial=1.0) < REST).all())
 
 
 def _apart(spans: list[tuple[float, float, int]], closed: bool) -> list[tuple[float, float, int]]:

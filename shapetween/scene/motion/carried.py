@@ -11,7 +11,7 @@ from shapetween.model.outline import Outline
 from shapetween.scene.motion.tracks import Meshless, OfPieces, Track
 from shapetween.scene.places import Places
 
-__all__ = ["Carried", "Tie", "Tied"]
+__all__ = ["Carried", "Follower", "Tie", "Tied"]
 
 #: How soon a part's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.004
@@ -35,31 +35,57 @@ class Carried(OfPieces):
     scale: float
 
     @cached_property
-    def _weights(self) -> tuple[Floats, Floats]:
-        """What each place of the outline counts for each control point, (4 P, H), at both ends."""
-        there = _places(self.host.curves(np.array([0.0, 1.0])))
-        found = []
-        for points, own in zip(there, (self.pieces.source, self.pieces.target), strict=True):
-            away = np.linalg.norm(own.reshape(-1, 2)[:, None] - points, axis=-1)
-            weights = 1 / (away + NEAR * self.scale) ** 4
-            found.append(weights / weights.sum(axis=1, keepdims=True))
-        return found[0], found[1]
+    def _followers(self) -> tuple["Follower", "Follower"]:
+        there = self.host.curves(np.array([0.0, 1.0]))
+        return (
+            Follower.of(there[0], self.pieces.source, self.scale),
+            Follower.of(there[1], self.pieces.target, self.scale),
+        )
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2); exactly the ends' own at 0 and 1."""
-        places = _places(self.host.curves(np.concatenate([[0.0, 1.0], t])))
-        moved = []
-        for k, own in enumerate((self.pieces.source, self.pieces.target)):
-            shift = self._weights[k] @ (places[2:] - places[k])
-            moved.append(own + shift.reshape(len(t), *own.shape))
+        host = self.host.curves(t)
+        first, last = (follower.moved(host) for follower in self._followers)
         part = t[:, None, None, None]
-        result = (1 - part) * moved[0] + part * moved[1]
+        result = (1 - part) * first + part * last
         result[:, 1:, 0] = result[:, :-1, 3]
         if self.pieces.closed:
             result[:, 0, 0] = result[:, -1, 3]
         result[t == 0] = self.pieces.source
         result[t == 1] = self.pieces.target
         return np.asarray(result)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Follower:
+    """Control points that go along with what of an outline is next to each of them.
+
+    Attributes
+    ----------
+    own : (P, 4, 2) float64
+        Where they are at home.
+    places : (H, 2) float64
+        Places of the outline at home.
+    weights : (4 P, H) float64
+        What each of those counts for each control point.
+    """
+
+    own: Curves
+    places: Points
+    weights: Floats
+
+    @classmethod
+    def of(cls, home: Curves, own: Curves, scale: float) -> "Follower":
+        """Followers of an outline's curves (N, 4, 2) at home, in a drawing of a size."""
+        places = _places(home[None])[0]
+        away = np.linalg.norm(own.reshape(-1, 2)[:, None] - places, axis=-1)
+        weights = 1 / (away + NEAR * scale) ** 4
+        return cls(own, places, weights / weights.sum(axis=1, keepdims=True))
+
+    def moved(self, curves: Curves) -> Curves:
+        """Where they are when the outline is elsewhere, (F, N, 4, 2) to (F, P, 4, 2)."""
+        shift = self.weights @ (_places(curves) - self.places)
+        return np.asarray(self.own + shift.reshape(len(curves), *self.own.shape))
 
 
 def _places(curves: Curves) -> Points:

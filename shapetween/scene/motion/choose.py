@@ -21,9 +21,10 @@ from shapetween.scene.motion.calm import asks_to_turn, calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
-from shapetween.scene.motion.opening import opened_pieces
+from shapetween.scene.motion.opening import closing_pieces, opened_pieces
 from shapetween.scene.motion.tracks import Blend, Elastic, Track
 from shapetween.scene.places import Pieces, Places, cut_alike
+from shapetween.scene.torn import folds
 
 __all__ = [
     "SAME",
@@ -103,11 +104,13 @@ def tracks_of(
             return (box_blend(one, other, source, target),), ()
         pieces = cut_alike(source, target, *ring_knots(source, target))
         return (_blend(pieces, first, second, 0.0),), ()
-    if first.closed:
-        pieces = opened_pieces(Places(first.outer), Places(second.outer), ends.symmetric)
+    ring, line = (first, second) if first.closed else (second, first)
+    if not ring.filled and folds(ring, line, ends.scale):
+        pieces = closing_pieces(Places(ring.outer), Places(line.outer))
     else:
-        back = opened_pieces(Places(second.outer), Places(first.outer), ends.symmetric)
-        pieces = Pieces(back.target, back.source, False)
+        pieces = opened_pieces(Places(ring.outer), Places(line.outer), ends.symmetric)
+    if second.closed:
+        pieces = Pieces(pieces.target, pieces.source, pieces.closed)
     return (_blend(pieces, first, second, 0.0),), ()
 
 

@@ -7,9 +7,9 @@ from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.motion.bend_knots import along_knots
 from shapetween.scene.motion.mirrored import axis_crossings
-from shapetween.scene.places import Pieces, Places, cut_alike
+from shapetween.scene.places import Pieces, Places, cut_alike, run_of
 
-__all__ = ["opened", "opened_pieces"]
+__all__ = ["closing_pieces", "opened", "opened_pieces"]
 
 #: Starts at which a ring may be cut to become a line.
 CUTS = 48
@@ -50,6 +50,23 @@ def opened_pieces(ring: Places, line: Places, flips: int) -> Pieces:
         return cut_alike(source, line, u, v)
     inner = np.array([0.0, rest, 1 - rest, 1.0])
     return cut_alike(source, line, inner, np.array([0.0, 0.0, 1.0, 1.0]))
+
+
+def closing_pieces(ring: Places, line: Places) -> Pieces:
+    """A ring whose two sides become a line there and back, as the lids of an eye do."""
+    start, end = ring.nearest(line.point(np.array([0.0, 1.0]))).tolist()
+    found = []
+    sides = (start, end, line), (end, start, Places(line.outline.reversed()))
+    for low, high, goal in sides:
+        side = Places(run_of(ring, low, high if high > low else high + 1))
+        u, v, _ = along_knots(side, goal)
+        found.append(cut_alike(side, goal, u, v))
+    curves = [
+        np.concatenate(own) for own in zip(*((p.source, p.target) for p in found), strict=True)
+    ]
+    for own in curves:
+        own[:, 0] = np.roll(own[:, 3], 1, axis=0)
+    return Pieces(curves[0], curves[1], True)
 
 
 def opened(ring: Places, share: float) -> Outline:

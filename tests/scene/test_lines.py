@@ -1,0 +1,180 @@
+"""Lines of icons: what hangs on what, what closes what, and nothing that is torn."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+import shapetween as st
+from shapetween.base.arrays import Floats
+from shapetween.scene.movement import SceneMovement
+from tests.scene.test_faults import drawn
+from tests.scene.test_leaving import ICON, box, lone, morph
+
+TIMES = np.linspace(0, 1, 17)
+MUG = '<path d="M4 8h12v12h-12z"/>'
+HANDLE = '<path d="M16 11h2a3 3 0 0 1 0 6h-2"/>'
+
+
+def scene(found: st.Morph) -> SceneMovement:
+    assert found.prepared.scene is not None
+    return found.prepared.scene
+
+
+def closed(found: st.Morph) -> list[tuple[bool, bool]]:
+    """Which sides of each pair are rings."""
+    a, b = scene(found).scenes
+    return [
+        (a.items[role.first].closed, b.items[role.second].closed)
+        for role in scene(found).roles.pairs
+    ]
+
+
+def pieces(found: st.Morph, t: float) -> int:
+    """Of how many pieces a frame is."""
+    (frame,) = found.prepared.movement.at(np.array([t]))
+    return int(shapely.get_num_geometries(drawn(frame).buffer(1e-6)))
+
+
+def ends_of(points: Floats) -> Floats:
+    return np.stack([points[0, 0], points[-1, 3]])
+
+
+@pytest.mark.parametrize("arrives", [False, True])
+def test_a_handle_folds_onto_what_it_hangs_on(tmp_path: Path, arrives: bool) -> None:
+    """It keeps both its joints, and lies on the wall when it is gone."""
+    bare = '<path d="M4 8h12v12h-12z"/>'
+    drawings = (bare, MUG + HANDLE) if arrives else (MUG + HANDLE, bare)
+    (handle,) = lone(morph(tmp_path, *drawings, ICON), arrives=arrives)
+    seen = [t for t in TIMES if handle.style(float(t)).opacity > 0]
+    assert len(seen) > 5
+    heights = []
+    for t in seen:
+        curves = handle.curves(np.array([t]))[0]
+        np.testing.assert_allclose(ends_of(curves), [[16, 11], [16, 17]], atol=1e-6)
+        heights.append(float(curves[..., 0].max()) - 16)
+    assert max(heights) == pytest.approx(5, abs=0.01)
+    gone = handle.curves(np.array([0.1 if arrives else 0.9]))[0]
+    np.testing.assert_allclose(gone[..., 0], 16, atol=1e-6)
+
+
+def test_what_folds_goes_along_with_what_it_hangs_on(tmp_path: Path) -> None:
+    """The mug goes aside and the handle's ends stay on its wall."""
+    moved = '<path d="M2 6h12v14h-12z"/>'
+    found = morph(tmp_path, MUG + HANDLE, moved, ICON)
+    (handle,) = lone(found, arrives=False)
+    mug = next(part for part in found.prepared.movement.parts if part is not handle)
+    for t in (0.1, 0.2, 0.3):
+        wall = box(mug, t)[1, 0]
+        curves = handle.curves(np.array([t]))[0]
+        np.testing.assert_allclose(ends_of(curves)[:, 0], wall, atol=0.05)
+
+
+def test_a_line_across_goes_to_its_middle_and_stays_straight(tmp_path: Path) -> None:
+    """It is no shorter than the border beside it, so it does not bend down onto that."""
+    card = '<rect x="2" y="5" width="20" height="14" rx="2"/>'
+    (stripe,) = lone(morph(tmp_path, card + '<path d="M2 10h20"/>', card, ICON), arrives=False)
+    for t in (0.1, 0.2, 0.3, 0.4):
+        low, high = box(stripe, t)
+        assert low[0] + high[0] == pytest.approx(24)
+        assert low[1] == high[1] == pytest.approx(10)
+    assert np.ptp(box(stripe, 0.4)[:, 0]) < 8
+
+
+def test_a_box_becomes_what_is_closed_by_its_lid(tmp_path: Path) -> None:
+    """The lid lies across the open side, so nothing opens: it goes, and the box stays one."""
+    bin_ = '<path d="M5 6v13a2 2 0 0 0 2 2h10a2 2 0 0 0 2 -2v-13"/><path d="M3 6h18"/>'
+    box_ = '<path d="M3 3h18v18h-18z"/>'
+    for drawings in ((bin_, box_), (box_, bin_)):
+        found = morph(tmp_path, *drawings, ICON)
+        assert (True, True) in closed(found)
+        for t in TIMES[1:-1]:
+            (frame,) = found.prepared.movement.at(np.array([t]))
+            assert len(shapely.get_parts(drawn(frame).buffer(1e-6))) == 1
+            assert any(part.interiors for part in shapely.get_parts(drawn(frame).buffer(1e-6)))
+
+
+def test_what_is_all_of_what_closes_a_line_is_drawn_once(tmp_path: Path) -> None:
+    """An envelope opens: its upper edge rises and is the roof."""
+    shut = '<path d="M3 7h18v12h-18z"/>'
+    opened = '<path d="M3 9v10h18v-10"/><path d="M3 9l9 -6l9 6"/>'
+    found = morph(tmp_path, shut, opened, ICON)
+    assert closed(found) == [(True, True)]
+    assert len(found.prepared.movement.parts) == 1
+    (first, last) = found.prepared.movement.at(np.array([0.0, 1.0]))
+    for frame, text in ((first, shut), (last, opened)):
+        (own,) = morph(tmp_path, text, text, ICON).prepared.movement.at(np.zeros(1))
+        assert drawn(frame).symmetric_difference(drawn(own)).area < 1e-3 * drawn(own).area
+
+
+def test_a_cup_never_unzips_to_become_a_wave(tmp_path: Path) -> None:
+    wave = '<path d="M2 20c3 0 4 -3 6 -3s4 3 8 3s4 -3 6 -3"/>'
+    cup = '<path d="M6 3h12v8a6 6 0 0 1 -12 0z"/>'
+    foot = '<path d="M8 21h8"/>'
+    assert (True, False) not in closed(morph(tmp_path, cup + foot, wave + RAYS, ICON))
+
+
+RAYS = '<path d="M4 4l3 3"/><path d="M20 4l-3 3"/>'
+
+
+def test_a_ring_with_a_mouth_is_still_a_ring(tmp_path: Path) -> None:
+    mouth = '<path d="M15 4a9 9 0 1 0 5 5"/>'
+    dot = '<path d="M12 12h.01"/>'
+    ring = '<circle cx="12" cy="12" r="9"/>'
+    assert (True, False) in closed(morph(tmp_path, ring + dot, mouth + dot, ICON))
+
+
+def test_an_eye_closes_by_its_lids(tmp_path: Path) -> None:
+    """Both come together, and the corners stay."""
+    eye = '<path d="M2 12q10 -12 20 0q-10 12 -20 0z"/><circle cx="12" cy="12" r="3"/>'
+    shut = '<path d="M2 11q10 8 20 0"/><path d="M7 14l-1 3"/><path d="M17 14l1 3"/>'
+    for drawings in ((eye, shut), (shut, eye)):
+        found = morph(tmp_path, *drawings, ICON)
+        (lids,) = (
+            part
+            for part in found.prepared.movement.parts
+            if part.style(0.5).opacity == 1 and np.ptp(box(part, 0.5)[:, 0]) > 15
+        )
+        assert lids.closed == (True,)
+        for t in TIMES:
+            low, high = box(lids, float(t))
+            assert low[0] == pytest.approx(2, abs=0.3)
+            assert high[0] == pytest.approx(22, abs=0.3)
+        heights = [float(np.ptp(box(lids, float(t))[:, 1])) for t in TIMES]
+        assert (np.diff(heights) < 0.01).all() or (np.diff(heights) > -0.01).all()
+
+
+def test_a_stem_that_is_drawn_with_the_dome_stands_still_as_well(tmp_path: Path) -> None:
+    """Half of a dome with its stem, and all of it, with the stem by itself, in any order."""
+    base = '<path d="M2 18h20"/>'
+    half = '<path d="M4 18a8 8 0 0 1 8 -8v-5"/>'
+    whole = '<path d="M4 18a8 8 0 0 1 16 0"/><path d="M12 10v-5"/>'
+    found = morph(tmp_path, base + half, base + whole, ICON)
+    both = drawn(found.prepared.movement.at(np.zeros(1))[0])
+    for t in TIMES:
+        (frame,) = found.prepared.movement.at(np.array([t]))
+        assert both.difference(drawn(frame).buffer(1e-3)).area < 1e-3 * both.area
+
+
+def test_an_arrow_stays_an_arrow_however_its_head_is_written(tmp_path: Path) -> None:
+    """Its head goes with its shaft, whether it is one line or two legs."""
+    one = '<path d="M12 20v-16"/><path d="M5 11l7 -7l7 7"/>'
+    two = '<path d="M6 21v-18M10 7l-4 -4M2 7l4 -4M18 3v18M22 17l-4 4M14 17l4 4"/>'
+    found = morph(tmp_path, one, two, ICON)
+    assert len(scene(found).roles.pairs) == 2
+    shaft, head = (p for p in found.prepared.movement.parts if p.style(0.0).opacity > 0)
+    for t in TIMES:
+        tip = box(head, float(t))
+        line = box(shaft, float(t))
+        assert tip[0, 1] == pytest.approx(line[0, 1], abs=0.01)
+        assert tip.mean(axis=0)[0] == pytest.approx(line[0, 0], abs=0.01)
+
+
+def test_mates_come_from_ends_that_are_mates(tmp_path: Path) -> None:
+    ring = '<circle cx="12" cy="12" r="10"/>'
+    ticks = '<path d="M6 10l2 3l2 -1"/><path d="M18 10l-2 3l-2 -1"/>'
+    parts = lone(morph(tmp_path, ring, ring + ticks, ICON), arrives=True)
+    left, right = (box(part, 0.3) for part in parts)
+    np.testing.assert_allclose(left[:, 0], 24 - right[::-1, 0], atol=1e-6)
+    np.testing.assert_allclose(left[:, 1], right[:, 1], atol=1e-6)
