@@ -98,7 +98,7 @@ def test_a_box_becomes_what_is_closed_by_its_lid(tmp_path: Path) -> None:
 def test_what_is_all_of_what_closes_a_line_is_drawn_once(tmp_path: Path) -> None:
     """An envelope opens: its upper edge rises and is the roof."""
     shut = '<path d="M3 7h18v12h-18z"/>'
-    opened = '<path d="M3 9v10h18v-10"/><path d="M3 9l9 -6l9 6"/>'
+    opened = '<path d="M4 9v11h16v-11"/><path d="M4 9l8 -6l8 6"/>'
     found = morph(tmp_path, shut, opened, ICON)
     assert closed(found) == [(True, True)]
     assert len(found.prepared.movement.parts) == 1
