@@ -182,9 +182,10 @@ def _too_different(paired: Paired) -> bool:
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:
-    """Pairs so that what others keep to comes before them."""
+    """Pairs so that what others keep to comes before them: what is closed, then longer lines."""
     first = np.array([role.first for role in roles.pairs], dtype=np.intp)
-    keys = first, -comparable(a.sizes[first]), a.outlined[first] >= 0
+    lines = np.array([not (a.items[k].filled or a.items[k].closed) for k in first], dtype=bool)
+    keys = first, -comparable(a.sizes[first]), lines, a.outlined[first] >= 0
     return [int(k) for k in np.lexsort(keys)]
 
 

@@ -178,3 +178,14 @@ def test_mates_come_from_ends_that_are_mates(tmp_path: Path) -> None:
     left, right = (box(part, 0.3) for part in parts)
     np.testing.assert_allclose(left[:, 0], 24 - right[::-1, 0], atol=1e-6)
     np.testing.assert_allclose(left[:, 1], right[:, 1], atol=1e-6)
+
+
+def test_an_end_goes_round_what_it_lies_on_and_not_through_it(tmp_path: Path) -> None:
+    """A note's stem goes from one side of its head to the other, however small the head is."""
+    note = '<circle cx="7" cy="17" r="4"/><path d="M11 17v-13h8"/>'
+    other = '<circle cx="7" cy="17" r="4"/><path d="M3 17v-13h16"/>'
+    found = morph(tmp_path, note, other, ICON)
+    stem = max(found.prepared.movement.parts, key=lambda p: float(np.ptp(box(p, 0.0))))
+    ends = np.array([ends_of(stem.curves(np.array([t]))[0]) for t in TIMES])
+    away = np.linalg.norm(ends - np.array([7.0, 17.0]), axis=-1).min(axis=1)
+    np.testing.assert_allclose(away, 4, atol=0.02)

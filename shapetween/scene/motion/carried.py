@@ -124,6 +124,26 @@ class Tie:
             places.append((int(curve[0]), float(t[0])))
         return cls(last, host, (places[0], places[1]))
 
+    def wanted(self, t: Floats, home: Points) -> Points:
+        """Where the end is at the times (F,), (F, 2), and at both ends of the movement, (2, 2).
+
+        It goes along what it lies on from one place to the other: across, it would go into it.
+        """
+        hosts = self.host.curves(np.concatenate([[0.0, 1.0], t]))[:, : self.host.counts[0]]
+        there = Places(Outline(hosts[0], self.host.closed[0]))
+        shares = [there.share(np.array([k]), np.array([at]))[0] for k, at in self.places]
+        way = float(shares[1] - shares[0])
+        if self.host.closed[0]:
+            way -= float(np.round(way))
+        curve, at = there.locate(shares[0] + way * t)
+        frames = np.arange(len(t))
+        along = evaluate(hosts[2 + frames, curve], at[:, None])[:, 0]
+        for end, (index, at_end) in enumerate(self.places):
+            weight = t if end else 1 - t
+            point = evaluate(hosts[end, index], np.array([at_end]))[0]
+            along = along + weight[:, None] * (home[end] - point)
+        return np.asarray(along)
+
 
 def _first_ring(curves: Curves, track: Track) -> Curves:
     return curves[: track.counts[0]]
@@ -164,14 +184,7 @@ class Tied(Meshless):
         result = curves.copy()
         for tie in self.ties:
             k = (-1, 3) if tie.last else (0, 0)
-            home = ends[:, k[0], k[1]]
-            hosts = tie.host.curves(np.concatenate([[0.0, 1.0], t]))
-            wanted = np.zeros((len(t), 2))
-            for end, (index, at) in enumerate(tie.places):
-                there = evaluate(hosts[:, index], np.array([at]))[:, 0]
-                weight = t if end else 1 - t
-                wanted += weight[:, None] * (home[end] + there[2:] - there[end])
-            pull = wanted - curves[:, k[0], k[1]]
+            pull = tie.wanted(t, ends[:, k[0], k[1]]) - curves[:, k[0], k[1]]
             weight = share if tie.last else 1 - share
             result += pull[:, None, None] * weight[None, :, :, None]
         return result
