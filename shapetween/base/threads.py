@@ -1,8 +1,14 @@
 """One thread for the matrices, whose libraries would start one on every core."""
 
 import os
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from threadpoolctl import ThreadpoolController
 
 __all__ = ["ONE_THREAD", "one_thread"]
 
@@ -21,7 +27,13 @@ def one_thread() -> Iterator[None]:
     if os.environ.get(name) == one:
         yield
         return
-    from threadpoolctl import threadpool_limits
-
-    with threadpool_limits(limits=1, user_api="blas"):
+    with _libraries(len(sys.modules)).limit(limits=1, user_api="blas"):
         yield
+
+
+@lru_cache(maxsize=1)
+def _libraries(_modules: int) -> "ThreadpoolController":
+    """The matrices' libraries, looked for again only once more modules are there."""
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController()

@@ -1,6 +1,5 @@
 """Pushing the nodes of a moving body, the mesh around them following."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -43,20 +42,24 @@ def _spread(mesh: AmbientMesh, pushes: Complex) -> Complex:
     result[:, : mesh.nodes] = pushes
     if fixed == count:
         return result
+    from scipy.sparse import csr_array
+
     one, other = _edges(mesh)
-    number = np.maximum(np.bincount(one, minlength=count), 1)
+    number = np.bincount(one, minlength=count)
+    starts = np.concatenate([[0], np.cumsum(number)])
+    # Rows of the free vertices alone, in all frames at once: a pass is one product.
+    sums = csr_array((np.ones(len(other)), other, starts), shape=(count, count))[fixed:]
+    share = 1.0 / np.maximum(number[fixed:, None], 1)
     moving = np.flatnonzero((np.abs(pushes) > 0).any(axis=1))
-    for frame in moving.tolist():
-        values = result[frame]
-        for _ in range(SPREADING):
-            sums = [np.bincount(one, part[other], count) for part in (values.real, values.imag)]
-            mean = (sums[0] + 1j * sums[1]) / number
-            values[fixed:] = mean[fixed:]
+    values = np.ascontiguousarray(result[moving].T).view(np.float64)
+    for _ in range(SPREADING):
+        values[fixed:] = (sums @ values) * share
+    result[moving] = values.view(np.complex128).T
     return result
 
 
-def _edges(mesh: AmbientMesh) -> Iterator[Index]:
-    """Both ends of every edge of the triangles, once from either."""
+def _edges(mesh: AmbientMesh) -> tuple[Index, Index]:
+    """Both ends of every edge of the triangles, once from either, in order."""
+    count = len(mesh.source)
     sides = np.concatenate([mesh.triangles[:, [k, (k + 1) % 3]] for k in range(3)])
-    both = np.unique(np.concatenate([sides, sides[:, ::-1]]), axis=0)
-    return iter(both.T)
+    return np.divmod(np.unique(np.concatenate([sides, sides[:, ::-1]]) @ [count, 1]), count)

@@ -147,7 +147,7 @@ def _cuts(item: Item) -> list[Points]:
     area = whole.simplify(ROUGH * np.sqrt(item.area))
     largest = float(shapely.maximum_inscribed_circle(area, 1e-2 * np.sqrt(area.area)).length)
     for share in RADII:
-        off = _taken(area, share * largest)
+        off = _taken(area, share * largest, _opened(area, share * largest))
         if off:
             width = max(2 * part.area / part.length for part in off)
             cuts = [_onto(mouth, item) for mouth in _mouths(area, DISC * width)]
@@ -161,10 +161,11 @@ def _mouths(area: "shapely.Polygon", radius: float) -> list[Points]:
     """Ends, (2, 2), of the lines that what a disc takes off an area hangs on."""
     import shapely
 
-    opened = area.buffer(-radius, quad_segs=16).buffer(radius, quad_segs=16)
+    opened = _opened(area, radius)
+    body = opened.buffer(6e-3 * radius)
     found = []
-    for part in _taken(area, radius):
-        mouth = part.boundary.intersection(opened.buffer(6e-3 * radius))
+    for part in _taken(area, radius, opened):
+        mouth = part.boundary.intersection(body)
         for line in shapely.get_parts(shapely.line_merge(mouth)).tolist():
             if line.geom_type == "LineString":
                 ends = shapely.get_coordinates(line)[[0, -1]]
@@ -173,11 +174,17 @@ def _mouths(area: "shapely.Polygon", radius: float) -> list[Points]:
     return found
 
 
-def _taken(area: "shapely.Polygon", radius: float) -> "list[shapely.Polygon]":
+def _opened(area: "shapely.Polygon", radius: float) -> "shapely.Geometry":
+    """Where in an area a disc fits in."""
+    return area.buffer(-radius, quad_segs=16).buffer(radius, quad_segs=16)
+
+
+def _taken(
+    area: "shapely.Polygon", radius: float, opened: "shapely.Geometry"
+) -> "list[shapely.Polygon]":
     """What opening an area by a disc takes away that is long enough for a stroke."""
     import shapely
 
-    opened = area.buffer(-radius, quad_segs=16).buffer(radius, quad_segs=16)
     if opened.is_empty:
         return []
     left = shapely.get_parts(area.difference(opened.buffer(5e-3 * radius))).tolist()

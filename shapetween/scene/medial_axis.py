@@ -104,13 +104,21 @@ def medial_axis(polygon: "shapely.Polygon") -> MedialAxis | None:
     shapely.prepare(polygon)
     inside = shapely.contains_xy(polygon, *diagram.vertices.T)
     ridges = np.asarray(diagram.ridge_vertices)
-    vertices = shapely.points(diagram.vertices)
-    inside &= shapely.distance(polygon.boundary, vertices) > SHALLOW * width
+    depths = np.full(len(inside), np.nan)
+    outline = polygon.boundary
+
+    def measure(which: Index) -> None:
+        depths[which] = shapely.distance(outline, shapely.points(diagram.vertices[which]))
+
+    measure(np.flatnonzero(inside))
+    inside &= np.nan_to_num(depths) > SHALLOW * width
     kept = (ridges >= 0).all(axis=1) & inside[ridges].all(axis=1)
     parted = border[np.asarray(diagram.ridge_points)[kept]]
-    points, index = _merged(diagram.vertices, SAME * width)
+    index = _merged(diagram.vertices, SAME * width)
     edges = index[ridges[kept]]
-    radii = np.asarray(shapely.distance(polygon.boundary, shapely.points(points)))
+    ends = np.unique(edges)
+    measure(ends[np.isnan(depths[ends])])
+    points, radii = diagram.vertices, depths
     apart = np.hypot(*(parted[:, 1] - parted[:, 0]).T)
     loop = edges[:, 0] == edges[:, 1]
     edges, apart = edges[~loop], apart[~loop]
@@ -135,8 +143,8 @@ def _samples(ring: Points, spacing: float) -> Points:
     return np.asarray(ring[start] + part[:, None] * (ring[start + 1] - ring[start]))
 
 
-def _merged(points: Points, size: float) -> tuple[Points, Index]:
-    """Points of which those closer than a size are one, and which one each became."""
+def _merged(points: Points, size: float) -> Index:
+    """Which point each of some became where those closer than a size are one, the first."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
@@ -146,7 +154,7 @@ def _merged(points: Points, size: float) -> tuple[Points, Index]:
     count, label = connected_components(links, directed=False)
     first = np.full(count, len(points))
     np.minimum.at(first, label, np.arange(len(points)))
-    return points[first], label.astype(np.intp)
+    return np.asarray(first[label], dtype=np.intp)
 
 
 def _cut_back(edges: Index, loose: Floats) -> Index:

@@ -132,9 +132,14 @@ def _grid(scene: Scene, places: Points) -> Floats:
     import shapely
 
     drawn = [item.drawn for item, own in zip(scene.items, scene.sheets, strict=True) if not own]
-    inside, _ = shapely.STRtree(drawn).query(shapely.points(places), predicate="within")
     seen = np.zeros(len(places))
-    seen[inside] = 1.0
+    for shape in drawn:
+        shapely.prepare(shape)  # its chords in a tree, for all places at once
+        x0, y0, x1, y1 = shape.bounds
+        near = (x0 <= places[:, 0]) & (places[:, 0] <= x1)
+        near &= (y0 <= places[:, 1]) & (places[:, 1] <= y1)
+        some = np.flatnonzero(near)
+        seen[some[shapely.contains_xy(shape, *places[some].T)]] = 1.0
     return seen
 
 

@@ -12,6 +12,10 @@ __all__ = ["axis_crossings", "even_knots", "mirrored_knots"]
 #: which it moves as one that is symmetric. More, and a flame loses its tip, which is off its axis.
 UNEVEN = 0.03
 
+#: How often a step over the axis is halved. Fewer and a ring that is symmetric moves a little
+#: askew; more are below rounding.
+HALVINGS = 40
+
 
 def mirrored_knots(source: Places, target: Places, flips: int) -> tuple[Floats, Floats] | None:
     """Knots of two rings, themselves mirror images; None where one of the rings is none.
@@ -23,12 +27,13 @@ def mirrored_knots(source: Places, target: Places, flips: int) -> tuple[Floats, 
     flips : int
         0 about an upright axis, 1 about a level one.
     """
-    crossings = axis_crossings(source, flips), axis_crossings(target, flips)
-    if crossings[0] is None or crossings[1] is None:
-        return None
-    if not (_even(source, crossings[0], flips) and _even(target, crossings[1], flips)):
-        return None
-    return half_knots(source, target, crossings[0], crossings[1])
+    crossings = []
+    for places in (source, target):
+        half = axis_crossings(places, flips)
+        if half is None or not _even(places, half, flips):
+            return None
+        crossings.append(half)
+    return half_knots(source, target, *crossings)
 
 
 def even_knots(source: Places, target: Places) -> tuple[Floats, Floats]:
@@ -63,23 +68,22 @@ def axis_crossings(places: Places, flips: int) -> tuple[float, float] | None:
     side[np.abs(side) < 1e-9 * float(np.ptp(points, axis=0).max())] = 0.0
     sign = np.sign(side)
     off = np.flatnonzero(sign[:-1])
-    found = []
     following = np.append(off[1:], off[:1] + len(sign) - 1)
-    for k, after in zip(off.tolist(), following.tolist(), strict=True):
-        if sign[k] * sign[after % (len(sign) - 1)] > 0:
-            continue
-        if after > k + 1:  # places on the axis lie between
-            found.append(float(shares[(k + after) // 2 % (len(sign) - 1)]))
-            continue
-        # Halved until rounding: what is a little off the axis leans.
-        low, high = shares[k], shares[k + 1]
-        for _ in range(40):
-            half = (low + high) / 2
-            there = places.point(np.array([half]))[0, flips] - middle[flips]
-            low, high = (half, high) if there * sign[k] > 0 else (low, half)
-        found.append(float((low + high) / 2))
-    if len(found) < 2:
+    over = sign[off] * sign[following % (len(sign) - 1)] <= 0
+    off, following = off[over], following[over]
+    if len(off) < 2:
         return None
-    along = places.point(np.array(found))[:, 1 - flips]
-    first, last = found[int(along.argmin())], found[int(along.argmax())]
+    # Places on the axis lie between, or else the step is halved until rounding: what is a little
+    # off the axis leans.
+    found = shares[(off + following) // 2 % (len(sign) - 1)]
+    next_to = following <= off + 1
+    low, high = shares[off[next_to]], shares[off[next_to] + 1]
+    for _ in range(HALVINGS):
+        half = (low + high) / 2
+        there = places.point(half)[:, flips] - middle[flips]
+        before = there * sign[off[next_to]] > 0
+        low, high = np.where(before, half, low), np.where(before, high, half)
+    found[next_to] = (low + high) / 2
+    along = places.point(found)[:, 1 - flips]
+    first, last = float(found[along.argmin()]), float(found[along.argmax()])
     return first, last + (last < first)
