@@ -13,15 +13,17 @@ from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.deform.check import LOOKED
 from shapetween.fill.morph import morph_fill
-from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import FillSettings
+from shapetween.fill.track import FillTrack
 from shapetween.geometry.affine import mapped
 from shapetween.interpolate import check_method
 from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, Flip, fit_matrix
+from shapetween.model.gradients import has_gradient
 from shapetween.model.movement import Movement
+from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
 from shapetween.scene.forms import RoundedBox, form_of
@@ -129,14 +131,14 @@ class Prepared:
         What was lost, is doubtful, or was done another way.
     scene : SceneMovement or None
         How the drawings' parts were seen and paired; None of single areas.
-    filled : tuple of FilledPart
+    filled : tuple of FillTrack
         What of the parts the outline engine moves by meshes, in paint order.
     """
 
     movement: Movement
     fit: Affine
     notices: tuple[Notice, ...]
-    filled: tuple[FilledPart, ...]
+    filled: tuple[FillTrack, ...]
     scene: SceneMovement | None = None
 
     @property
@@ -145,7 +147,7 @@ class Prepared:
         return tuple(str(notice) for notice in self.notices if notice.severity == "warning")
 
     @property
-    def meshed(self) -> tuple[FilledPart, ...]:
+    def meshed(self) -> tuple[FillTrack, ...]:
         """What can be shown as meshes: also areas that move some simpler way."""
         return self.filled if self.scene is None else self.scene.meshed
 
@@ -205,16 +207,20 @@ def prepare(
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
     free = chosen.pairing != "loose" and not (groups or len(pins) or meshed or chosen.change)
     asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins, exchange=free)
-    areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
+    parts, areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said
     settings.check_used()
-    if chosen.folds == "prevent" and chosen.effort == "full":
+    if scene is None and chosen.folds == "prevent" and chosen.effort == "full":
         with observe("move"):
             notices += _of_attached(areas)
     title = " to ".join(t for t in (source.title, target.title) if t)
-    movement = Movement(areas if scene is None else scene.parts, source.box, title, source.page)
-    filled = areas if scene is None else scene.areas
-    return Prepared(movement, matrix, distinct(notices), filled, scene)
+    movement = Movement(parts, source.box, title, source.page)
+    return Prepared(movement, matrix, distinct(notices), areas, scene)
+
+
+_Moved: TypeAlias = tuple[
+    tuple[Part, ...], tuple[FillTrack, ...], tuple[Notice, ...], SceneMovement | None
+]
 
 
 def _moved(
@@ -224,7 +230,7 @@ def _moved(
     asked: Asked,
     settings: FillSettings,
     names: tuple[str, str],
-) -> tuple[tuple[FilledPart, ...], tuple[Notice, ...], SceneMovement | None]:
+) -> _Moved:
     """A single area that becomes another by the outline engine, or else a scene."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, said), (other, more) = found
@@ -236,21 +242,23 @@ def _moved(
         if kept.areas:
             one, other = as_lines(kept.first, kept.second)
             scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)
-            return (), (*said, *more, *scene.notices), scene
+            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
         apart = with_limbs(one, other)
         if apart is not None:
             one, other = as_lines(*apart)
             scene = move_scene(one, other, boxes, asked, settings, names)
-            return (), (*said, *more, *scene.notices), scene
+            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
     lines = _lined(one, other, boxes)
     if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
         one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
-        part, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
-        return (part,), told, None
+        track, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
+        styles = areas[0].style, areas[1].style
+        motion = track.whole_motion() if any(map(has_gradient, styles)) else None
+        return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), told, None
     scene = move_scene(one, other, boxes, asked, settings, names)
-    return (), (*said, *more, *scene.notices), scene
+    return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
 
 
 def _lined(
@@ -304,7 +312,7 @@ def _closed(shape: Shape) -> Shape:
     return replace(shape, rings=tuple(ring.close() for ring in shape.rings))
 
 
-def _of_attached(areas: tuple[FilledPart, ...]) -> list[Notice]:
+def _of_attached(areas: tuple[FillTrack, ...]) -> list[Notice]:
     """What to tell of shapes in which something attached crosses itself on the way."""
     crossing = sum(bool(area.crossing(LOOKED).any()) for area in areas)
     if not crossing:

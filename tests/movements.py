@@ -7,10 +7,10 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.model.blend import blend
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Style
+from shapetween.model.part import BlendedPaint, Leaf, Part
 
 #: From times (F,) and curves (N, 4, 2) to (F, N, 4, 2).
 Move: TypeAlias = Callable[[Floats, Curves], Curves]
@@ -32,22 +32,30 @@ def circle(centre: Points, radius: float) -> Curves:
 
 
 @dataclass(frozen=True)
-class FormulaPart:
-    """A part whose points are a function of time and of where they start."""
+class FormulaTrack(Leaf):
+    """Rings whose points are a function of time and of where they start."""
 
     start: Curves
     move: Move
-    first: Style = BLACK
-    last: Style = BLACK
-    name: str = ""
-    rings: tuple[int, ...] = (4,)
-    closed: tuple[bool, ...] = (True,)
+    counts: tuple[int, ...]
+    closed: tuple[bool, ...]
 
     def curves(self, t: Floats) -> Curves:
         return self.move(t, self.start)
 
-    def style(self, t: float) -> Style:
-        return blend(self.first, self.last, t)
+
+def formula_part(
+    start: Curves,
+    move: Move,
+    first: Style = BLACK,
+    last: Style = BLACK,
+    name: str = "",
+    rings: tuple[int, ...] = (4,),
+    closed: tuple[bool, ...] = (True,),
+) -> Part:
+    """A part whose points are a function of time and of where they start."""
+    track = FormulaTrack(start, move, rings, closed)
+    return Part(name, (track,), BlendedPaint((first, last)))
 
 
 def spin(
@@ -80,7 +88,7 @@ def sample_movement(first: Style | None = None, last: Style | None = None) -> Mo
     """An ellipse that turns by a third while a ring with a hole stands still behind it."""
     hole = circle(np.array([50.0, 50.0]), 30.0)[::-1, ::-1]
     ring = np.concatenate([circle(np.array([50.0, 50.0]), 45.0), hole])
-    behind = FormulaPart(
+    behind = formula_part(
         ring,
         rest,
         Style(Colour(0.2, 0.6, 0.4)),
@@ -89,7 +97,7 @@ def sample_movement(first: Style | None = None, last: Style | None = None) -> Mo
         (4, 4),
         (True, True),
     )
-    front = FormulaPart(
+    front = formula_part(
         ellipse((30.0, 50.0), (25.0, 10.0)),
         spin(1 / 3, (40.0, 0.0)),
         first or Style(Colour(1.0, 0.0, 0.0)),
@@ -109,7 +117,7 @@ def sample_chain() -> tuple[Movement, Movement, Movement]:
     colours = [Colour(1, 0, 0), Colour(0, 0, 1), Colour(0, 0.5, 0), Colour(1, 0, 0)]
     moves = [spin(0.25, (40.0, 0.0)), spin(0.25, (-20.0, 20.0)), spin(-0.5, (-20.0, -20.0))]
     for k, move in enumerate(moves):
-        part = FormulaPart(start, move, Style(colours[k]), Style(colours[k + 1]), "ellipse")
+        part = formula_part(start, move, Style(colours[k]), Style(colours[k + 1]), "ellipse")
         legs.append(Movement((part,), Box(0, 0, 100, 100)))
         start = move(np.ones(1), start)[0]
 
@@ -119,5 +127,5 @@ def sample_chain() -> tuple[Movement, Movement, Movement]:
     def open_and_close(t: Floats, start: Curves) -> Curves:
         return np.array([20.0, 80.0]) + (4 * t * (1 - t))[:, None, None, None] * start
 
-    joined = FormulaPart(ring, open_and_close, name="ring", rings=(4, 4), closed=(True, True))
+    joined = formula_part(ring, open_and_close, name="ring", rings=(4, 4), closed=(True, True))
     return legs[0], Movement((*legs[1].parts, joined), legs[1].box), legs[2]

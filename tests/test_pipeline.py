@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.base.ends import End
 from shapetween.base.errors import OptionError, OutlineError
 from shapetween.fill.appearing import AppearingRegion
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
@@ -16,8 +17,6 @@ from shapetween.model.drawing import Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
-from shapetween.scene.parts import PairPart
-from shapetween.scene.presence import LonePart
 from tests.drawings import area, drawing, line, ring, square
 from tests.mesh.pairs import untangled
 from tests.movements import circle
@@ -120,14 +119,14 @@ def test_both_ends_are_the_drawings_in_their_paint_order(many: Prepared) -> None
     assert post.style.opacity == 1
 
 
-def test_kinds_of_parts(many: Prepared) -> None:
-    kinds = [(part.name, type(part)) for part in many.movement.parts]
-    assert kinds == [
-        ("back", PairPart),
-        ("eyes", PairPart),
-        ("smile", PairPart),
-        ("comes", LonePart),
-        ("post", LonePart),
+def test_parts_say_at_which_end_they_exist(many: Prepared) -> None:
+    ends = [(part.name, part.only) for part in many.movement.parts]
+    assert ends == [
+        ("back", None),
+        ("eyes", None),
+        ("smile", None),
+        ("comes", End.TARGET),
+        ("post", End.TARGET),
     ]
 
 
@@ -200,11 +199,11 @@ def test_a_stroke_becomes_an_area_through_its_outline() -> None:
     stroked = line((20, 50), (80, 50), width=10)
     prepared = prepare(drawing(stroked), drawing(area(square(30, 30, 40))))
     (part,) = prepared.movement.parts
-    assert isinstance(part, PairPart)
+    assert part.only is None
     first, last = prepared.movement.at(np.array([0.0, 1.0]))
     assert same_area(first.shapes[0], area(ring([(20, 45), (80, 45), (80, 55), (20, 55)]))) < 1e-6
     assert same_area(last.shapes[0], area(square(30, 30, 40))) < 1e-6
-    assert part.styles[0].fill == Colour()
+    assert part.style(0.0).fill == Colour()
 
 
 def test_a_filled_line_is_filled_and_stroked() -> None:
@@ -223,8 +222,7 @@ def test_where_one_side_has_more_lines_they_are_drawn() -> None:
     two = replace(one, rings=(*line((20, 48), (80, 48)).rings, *line((20, 70), (80, 70)).rings))
     for first, second, gone in ((one, two, 0.0), (two, one, 1.0)):
         pair, lone = prepare(drawing(first), drawing(second)).movement.parts
-        assert isinstance(pair, PairPart)
-        assert isinstance(lone, LonePart)
+        assert (pair.only, lone.only) == (None, End.TARGET if first is one else End.SOURCE)
         assert pair.rings == lone.rings == (1,)
         assert lone.style(gone).opacity == 0
         (some,) = lone.curves(np.array([0.5 if gone == 0 else 0.25]))

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from shapetween.base.arrays import Floats
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
+from shapetween.model.part import Part
 from shapetween.pipeline import Options, prepare
 from shapetween.svg.read.reader import read_svg
 

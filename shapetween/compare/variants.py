@@ -7,9 +7,10 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError, ShapetweenError
 from shapetween.compare.skeleton import Skeleton
 from shapetween.deform.deformation import Deformation
-from shapetween.fill.parts import FilledPart
+from shapetween.fill.track import FillTrack
 from shapetween.interpolate import METHODS
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
+from shapetween.model.part import CurveTrack
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.unfold import bare
 from shapetween.pipeline import Folds, Prepared
@@ -43,6 +44,8 @@ class Variant:
     folds : {"prevent", "allow"}
     movement : Movement or None
         Without names of shapes, so that several stand in one document.
+    bodies : tuple of Carried
+        All bodies of all filled shapes, in paint order.
     skeletons : tuple of Skeleton
         What moves inside each body.
     failure : str
@@ -55,14 +58,9 @@ class Variant:
     method: str
     folds: Folds
     movement: Movement | None
+    bodies: tuple[Carried, ...] = ()
     skeletons: tuple[Skeleton, ...] = ()
     failure: str = ""
-
-    @property
-    def bodies(self) -> tuple[Carried, ...]:
-        """All bodies of all filled shapes, in paint order."""
-        parts = () if self.movement is None else self.movement.parts
-        return tuple(b for p in parts if isinstance(p, FilledPart) for b in p.bodies)
 
 
 def first_variant(prepared: Prepared, method: str, folds: Folds, failure: str = "") -> Variant:
@@ -80,14 +78,7 @@ def first_variant(prepared: Prepared, method: str, folds: Folds, failure: str = 
     variant = _named(method, folds)
     if failure:
         return replace(variant, failure=failure)
-    parts = tuple(
-        _remembering(part) if isinstance(part, FilledPart) else part
-        for part in prepared.movement.parts
-    )
-    movement = _unnamed(replace(prepared.movement, parts=parts))
-    moving = replace(variant, movement=movement)
-    skeletons = tuple(Skeleton.of(body, method) for body in moving.bodies)
-    return replace(moving, skeletons=skeletons)
+    return _moving(variant, prepared, [_remembering(track) for track in prepared.filled])
 
 
 def bare_variants(prepared: Prepared, methods: Sequence[str] = tuple(METHODS)) -> list[Variant]:
@@ -112,15 +103,15 @@ class _Remembered:
         return self._found[key]
 
 
-def _remembering(part: FilledPart) -> FilledPart:
-    """The same part, all of whose bodies and attached share what was solved."""
-    bodies = [replace(body, path=_Remembered(body.path)) for body in part.bodies]
-    known = {id(old): new for old, new in zip(part.bodies, bodies, strict=True)}
+def _remembering(track: FillTrack) -> FillTrack:
+    """The same track, all of whose bodies and attached share what was solved."""
+    bodies = [replace(body, path=_Remembered(body.path)) for body in track.bodies]
+    known = {id(old): new for old, new in zip(track.bodies, bodies, strict=True)}
     appearing = tuple(
         region if region.on is None else replace(region, on=known[id(region.on)])
-        for region in part.appearing
+        for region in track.appearing
     )
-    return replace(part, bodies=tuple(bodies), appearing=appearing)
+    return replace(track, bodies=tuple(bodies), appearing=appearing)
 
 
 def _named(method: str, folds: Folds) -> Variant:
@@ -137,38 +128,39 @@ def _named(method: str, folds: Folds) -> Variant:
 
 def _bare_variant(prepared: Prepared, method: str) -> Variant:
     variant = _named(method, "allow")
-    parts: list[Part] = []
-    skeletons: list[Skeleton] = []
+    tracks: list[FillTrack] = []
     try:
-        for part in prepared.movement.parts:
-            if not isinstance(part, FilledPart):
-                parts.append(part)
-                continue
-            bodies = tuple(bare(rings, method) for rings in _grouped(part))
-            skeletons += [Skeleton.of(body, method) for body in bodies]
+        for track in prepared.filled:
+            bodies = tuple(bare(rings, method) for rings in _grouped(track))
             # Without an ambient mesh there is nothing to be bound to.
-            appearing = tuple(replace(region, on=None) for region in part.appearing)
-            parts.append(replace(part, bodies=bodies, appearing=appearing))
+            appearing = tuple(replace(region, on=None) for region in track.appearing)
+            tracks.append(replace(track, bodies=bodies, appearing=appearing))
+        return _moving(variant, prepared, tracks)
     except ShapetweenError as error:
         return replace(variant, failure=str(error))
-    movement = replace(prepared.movement, parts=tuple(parts))
-    return replace(variant, movement=_unnamed(movement), skeletons=tuple(skeletons))
 
 
-def _grouped(part: FilledPart) -> list[list[RingMatch]]:
+def _moving(variant: Variant, prepared: Prepared, tracks: Sequence[FillTrack]) -> Variant:
+    """The variant in which the filled shapes move by these tracks instead of their own."""
+    fresh: dict[int, CurveTrack] = {
+        id(old): new for old, new in zip(prepared.filled, tracks, strict=True)
+    }
+    parts = tuple(
+        replace(part.following(lambda track: fresh.get(id(track), track)), name="")
+        for part in prepared.movement.parts
+    )
+    bodies = tuple(body for track in tracks for body in track.bodies)
+    skeletons = tuple(Skeleton.of(body, variant.method) for body in bodies)
+    movement = replace(prepared.movement, parts=parts)
+    return replace(variant, movement=movement, bodies=bodies, skeletons=skeletons)
+
+
+def _grouped(track: FillTrack) -> list[list[RingMatch]]:
     """Rings by body: those that move in one plane are taken apart, each outer with its holes."""
     groups: list[list[RingMatch]] = []
-    for ring in (ring for body in part.bodies for ring in body.nodes.rings):
+    for ring in (ring for body in track.bodies for ring in body.nodes.rings):
         if ring.hole:
             groups[-1].append(ring)
         else:
             groups.append([ring])
     return groups
-
-
-def _unnamed(movement: Movement) -> Movement:
-    # Every kind of part is a dataclass with a name; the protocol does not say so.
-    return replace(
-        movement,
-        parts=tuple(replace(part, name="") for part in movement.parts),  # type: ignore[type-var]
-    )

@@ -11,17 +11,15 @@ from shapetween.base.notices import Kind, Notice
 from shapetween.base.ranking import comparable
 from shapetween.fill.appearing import AppearingRegion, Ground
 from shapetween.fill.pairing import Thing, pair_things
-from shapetween.fill.parts import FilledPart
 from shapetween.fill.regions import Region, regions_of
 from shapetween.fill.settings import FillSettings
 from shapetween.fill.small import blend_small
 from shapetween.fill.splitting import split_alike
+from shapetween.fill.track import FillTrack
 from shapetween.geometry.rotation import rotations
 from shapetween.match import Matcher
 from shapetween.model.drawing import Shape
-from shapetween.model.gradients import has_gradient
 from shapetween.model.outline import Outline
-from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.outline.alone import looked_at, moved_alone
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between
@@ -58,7 +56,7 @@ MANY_CURVES = 1500
 
 def morph_fill(
     first: Shape, second: Shape, settings: FillSettings, names: tuple[str, str], *, alone: bool
-) -> tuple[FilledPart, tuple[Notice, ...]]:
+) -> tuple[FillTrack, tuple[Notice, ...]]:
     """Prepare the movement of one filled shape, and what there is to tell.
 
     Parameters
@@ -159,10 +157,8 @@ def morph_fill(
             appearing += [AppearingRegion.of(side[k].outer, side[k].holes, end, on) for k in only]
     if settings.folds == "prevent":
         notices += [*_of_crossings(carried, name), *_of_fallbacks(carried, name)]
-    styles = (first.style, second.style)
-    motion = _whole_motion(carried) if any(map(has_gradient, styles)) else None
-    part = FilledPart(name, styles, tuple(carried), tuple(appearing), contours, motion)
-    return part, tuple(notices)
+    track = FillTrack(name, tuple(carried), tuple(appearing), contours)
+    return track, tuple(notices)
 
 
 def _divided(
@@ -261,12 +257,6 @@ def _of_limits(first: Region, second: Region, name: str) -> list[Notice]:
             "the rest close and open",
         )
     ]
-
-
-def _whole_motion(bodies: list[Carried]) -> WholeMotion | None:
-    """The motion of all bodies as one."""
-    inside, areas = zip(*(body.inside(MOTION_TIMES) for body in bodies), strict=True)
-    return WholeMotion.of(np.concatenate(inside, axis=1), np.concatenate(areas))
 
 
 def _shared_corners(chosen: list[int], pieces: tuple[Region, ...]) -> dict[int, int]:

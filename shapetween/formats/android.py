@@ -22,8 +22,8 @@ from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import colour_losses, group_losses, plain_styles
 from shapetween.formats.table import Segments, Written
 from shapetween.model.gradients import in_normal_form
-from shapetween.model.movement import Part
 from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
+from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 from shapetween.svg.write.elements import alpha_text, as_circle

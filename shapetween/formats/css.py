@@ -20,10 +20,11 @@ from shapetween.formats.names import identifier
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import colour_losses, group_losses, plain_styles
 from shapetween.formats.table import Segments, Written
-from shapetween.formats.united import UnitedPart
+from shapetween.formats.united import united
 from shapetween.model.drawing import Box
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Paint, Style
+from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 from shapetween.svg.write.elements import alpha_text
@@ -214,7 +215,7 @@ def _only_part(movement: Movement) -> Part:
             ".css holds a filled shape, and here is one with a line; expected -o OUT.svg or OUT.mjs"
         )
     if len(seen) > 1 and all(style == Style(styles[0].fill) for style in styles):
-        return UnitedPart(tuple(seen))
+        return united(seen)
     if len(seen) != 1:
         raise OptionError(
             f".css holds one shape, and here are {len(seen)} of different paint; "

@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.sampled import Sampled, enough_times, sampled
-from shapetween.model.movement import Part
+from shapetween.model.part import Part
 from shapetween.timing.easing import Easing, even_times
 from shapetween.timing.fitted import fitted_keyframes
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE

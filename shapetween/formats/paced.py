@@ -14,7 +14,6 @@ from shapetween.base.errors import OptionError
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.segments import Segments
 from shapetween.model.movement import Movement
-from shapetween.model.retimed import RetimedPart
 from shapetween.timing import defaults
 from shapetween.timing.easing import Easing, easing_function, is_plain
 
@@ -52,7 +51,7 @@ def paced(segments: Segments, options: WriteOptions) -> tuple[Segments, WriteOpt
         starts = [rank * options.stagger / way for rank in each]
         share = options.duration / way
         parts = [
-            RetimedPart(part, _windowed(ease, start, min(start + share, 1.0)))
+            part.retimed(_windowed(ease, start, min(start + share, 1.0)))
             for part, start in zip(movement.parts, starts, strict=True)
         ]
         movements.append(replace(movement, parts=tuple(parts)))
@@ -111,7 +110,7 @@ def _over_the_chain(segments: Segments, options: WriteOptions) -> Segments:
     movements = []
     for k, movement in enumerate(segments.movements):
         pace = _part_of(ease, edges[k], edges[k + 1], k, count)
-        parts = tuple(RetimedPart(part, pace) for part in movement.parts)
+        parts = tuple(part.retimed(pace) for part in movement.parts)
         movements.append(replace(movement, parts=parts))
     ways = tuple((b - a) * count * options.duration for a, b in pairwise(edges))
     return replace(segments, movements=tuple(movements), ways=ways)

@@ -4,8 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import prod
 
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Style
+from shapetween.model.part import Part
 
 __all__ = ["colour_losses", "group_losses", "plain_style", "plain_styles"]
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.geometry.merging import merged_curves
-from shapetween.model.movement import Part
+from shapetween.model.part import Part
 
 __all__ = ["STRAIGHT", "Sampled", "enough_times", "sampled"]
 

@@ -1,36 +1,45 @@
 """Several parts of one paint as a single path."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
 from shapetween.geometry.bezier import signed_area
-from shapetween.model.movement import Part
 from shapetween.model.paint import Style
+from shapetween.model.part import Leaf, Part
 
-__all__ = ["UnitedPart"]
+__all__ = ["united"]
 
 
-@dataclass(frozen=True, eq=False)
-class UnitedPart:
-    """Parts filled alike by the rule nonzero, as one.
+def united(parts: Sequence[Part]) -> Part:
+    """Parts filled alike by the rule nonzero, as one of the name and paint of the first.
 
     Where two of them overlap, both are to be seen: so parts that run anticlockwise are run through
     the other way, for windings of different signs would cancel.
     """
+    track = _United(tuple(parts), tuple(_area(part) < 0 for part in parts))
+    return Part(parts[0].name, (track,), _PaintOf(parts[0]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _United(Leaf):
+    """The rings of parts, each at its own pace.
+
+    Attributes
+    ----------
+    parts : tuple of Part
+    turned : tuple of bool
+        Which parts run anticlockwise half-way, where both of their ends take part.
+    """
 
     parts: tuple[Part, ...]
+    turned: tuple[bool, ...]
 
     @property
-    def name(self) -> str:
-        """That of the first."""
-        return self.parts[0].name
-
-    @property
-    def rings(self) -> tuple[int, ...]:
+    def counts(self) -> tuple[int, ...]:
         """Those of all parts."""
         return tuple(count for part in self.parts for count in part.rings)
 
@@ -42,7 +51,7 @@ class UnitedPart:
     def curves(self, t: Floats) -> Curves:
         """Control points of all parts, one after the other."""
         stacks = []
-        for part, turned in zip(self.parts, self._turned, strict=True):
+        for part, turned in zip(self.parts, self.turned, strict=True):
             stack = part.curves(t)
             first = 0
             for count in part.rings:
@@ -51,14 +60,16 @@ class UnitedPart:
                 first += count
         return np.concatenate(stacks, axis=1)
 
-    def style(self, t: float) -> Style:
-        """That of the first."""
-        return self.parts[0].style(t)
 
-    @cached_property
-    def _turned(self) -> tuple[bool, ...]:
-        """Which parts run anticlockwise half-way, where both of their ends take part."""
-        return tuple(_area(part) < 0 for part in self.parts)
+@dataclass(frozen=True, slots=True, eq=False)
+class _PaintOf:
+    """The paint of a part, at its pace."""
+
+    part: Part
+
+    def at(self, t: float) -> Style:
+        """How it is painted at one time."""
+        return self.part.style(t)
 
 
 def _area(part: Part) -> float:

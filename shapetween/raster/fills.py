@@ -6,16 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats, Index, Mask, Points
-from shapetween.deform.deformation import VertexPath
-from shapetween.deform.keyed import KeyedMotion
-from shapetween.fill.parts import FilledPart
+from shapetween.deform.deformation import Deformation, VertexPath
 from shapetween.geometry.affine import inverted, mapped
 from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Box
-from shapetween.model.movement import Part
 from shapetween.model.paint import Style
-from shapetween.model.retimed import RetimedPart
-from shapetween.outline.body import Carried
+from shapetween.model.part import Part
 from shapetween.raster.field import Field
 from shapetween.raster.light import Shares
 from shapetween.raster.picture import Picture
@@ -57,16 +53,16 @@ class Fill:
         What fills it at the start and at the end.
     empty : tuple of str
         Files whose texture shows nothing, as a picture does that is damaged.
-    clocks : tuple of callable
-        From a frame's time to the movement's, the last one first.
+    shown : callable
+        From the times that are asked for (F,) to the movement's.
     """
 
     path: VertexPath
     triangles: Index
     ends: tuple[Points, Points]
     pictures: tuple[Picture, Picture]
+    shown: Callable[[Floats], Floats]
     empty: tuple[str, ...] = ()
-    clocks: tuple[Callable[[Floats], Floats], ...] = ()
 
     def vertices(self, t: Floats) -> Points:
         """The mesh at the times (F,), (F, V, 2), in user units."""
@@ -74,9 +70,7 @@ class Fill:
 
     def _shown(self, t: Floats) -> Floats:
         """The movement's own times, which end at its ends: what fills a part does not overshoot."""
-        for clock in reversed(self.clocks):
-            t = clock(t)
-        return np.asarray(np.clip(t, 0.0, 1.0))
+        return np.asarray(np.clip(self.shown(t), 0.0, 1.0))
 
     def light(self, vertices: Points, seen: Mask, t: float) -> Shares:
         """Light of the pixels that are seen, (N, 4) in units of 1 / FULL, row by row.
@@ -111,9 +105,7 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
     InputError
         If a texture cannot be drawn.
     """
-    if isinstance(part, RetimedPart):
-        fill = fill_of(part.part, fit)
-        return None if fill is None else replace(fill, clocks=(*fill.clocks, part.times))
+    shown, part = part.shown, replace(part, clock=None)
     styles = [part.style(0.0), part.style(1.0)]
     if all(style.texture is None for style in styles):
         return None
@@ -137,7 +129,8 @@ def fill_of(part: Part, fit: Affine) -> Fill | None:
         texture = styles[end].texture
         if texture is not None and not picture.light[..., 3].any():
             empty.append(texture.name)
-    return Fill(path, triangles, (ends[0], ends[1]), (pictures[0], pictures[1]), tuple(empty))
+    pair = (pictures[0], pictures[1])
+    return Fill(path, triangles, (ends[0], ends[1]), pair, shown, tuple(empty))
 
 
 def _areas(places: Points, triangles: Index) -> Floats:
@@ -170,9 +163,9 @@ def _picture(style: Style, points: Points, fit: Affine, larger: float) -> tuple[
 
 def _mesh(part: Part, whole: int) -> tuple[VertexPath, Index]:
     """The mesh that carries what fills a part, and how it moves."""
-    bodies = part.bodies if isinstance(part, FilledPart) else ()
-    meshes = [body.path.mesh for body in bodies if isinstance(body.path, KeyedMotion)]
-    if not meshes or len(meshes) < len(bodies):
+    paths = tuple(path for area in part.areas for path in area.deformations)
+    meshes = [path.mesh for path in paths if path.mesh is not None]
+    if len(meshes) < len(paths) or not all(track.areas for track in part.tracks):
         return _Grid.around(part, whole), _grid_triangles()
     first = np.cumsum([0, *(len(mesh.source) for mesh in meshes)]).tolist()
     triangles = []
@@ -182,17 +175,17 @@ def _mesh(part: Part, whole: int) -> tuple[VertexPath, Index]:
             # Planes of several bodies lie over one another, so each shows its body and its edge.
             kept &= mesh.inside | (mesh.triangles < mesh.nodes).any(axis=1)
         triangles.append(mesh.triangles[kept] + start)
-    return _Bodies(bodies), np.concatenate(triangles)
+    return _Bodies(paths), np.concatenate(triangles)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Bodies:
-    """The planes of several bodies."""
+    """The ambient meshes of several bodies."""
 
-    bodies: tuple[Carried, ...]
+    paths: tuple[Deformation, ...]
 
     def vertices(self, t: Floats) -> Points:
-        return np.concatenate([body.path.vertices(t) for body in self.bodies], axis=1)
+        return np.concatenate([path.vertices(t) for path in self.paths], axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

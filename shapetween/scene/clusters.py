@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from shapetween.base.arrays import Index, Points
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import OpenLine, Segment
-from shapetween.scene.motion.tracks import Track
 from shapetween.scene.relations import Scene
 
 __all__ = ["Cluster", "Hosts", "clusters_of", "contact", "is_line", "staying_parent"]
 
-Hosts = Mapping[int, Sequence[Track]]
+Hosts = Mapping[int, Sequence[CurveTrack]]
 """Tracks of the items that have partners."""
 
 #: How near the borders of two things are that touch, as a share of the drawing.
@@ -59,7 +59,7 @@ def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster
     ----------
     lone : sequence of int
     scene : Scene
-    hosts : mapping of int to sequence of Track
+    hosts : mapping of int to sequence of CurveTrack
     """
     around = {k: staying_parent(k, scene, hosts) for k in lone}
     own = {k: k for k in lone}

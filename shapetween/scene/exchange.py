@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shapetween.base.ends import End
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.going import Going
@@ -95,12 +96,12 @@ def exchange_roles(a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene]) -
     return Roles(tuple(staying), leavers, comers, (np.inf,) * len(leavers), (np.inf,) * len(comers))
 
 
-def exchange_goings(scene: Scene, lone: Sequence[int], arrives: bool) -> dict[int, Going]:
+def exchange_goings(scene: Scene, lone: Sequence[int], end: End) -> dict[int, Going]:
     """How the items of a drawing that is exchanged go together, or come.
 
     They shrink towards the middle of all, or to the ground where one stays.
     """
-    window = COMES if arrives else GOES
+    window = COMES if end is End.TARGET else GOES
     alone = np.zeros(len(scene.items), dtype=bool)
     alone[list(lone)] = True
     box = drawn_box(scene.items, scene.sheets | ~alone)

@@ -48,4 +48,4 @@ def fold_onto(k: int, host: int, side: Side) -> Fold | None:
         return None
     knots = np.array([0.0, 1.0])
     pieces = cut_alike(Places(item.outer), run, knots, knots)
-    return Fold(pieces, side.hosts[host][0], float(side.arrives), side.scene.scale)
+    return Fold(pieces, side.hosts[host][0], side.end, side.scene.scale)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from shapetween.base.ends import End
 from shapetween.scene.going import Going, Side
 from shapetween.scene.places import Places
 from shapetween.scene.presence import BOTH
@@ -59,7 +60,7 @@ def _with(k: int, going: Going, j: int, side: Side, other: Side, theirs: Going) 
     leaving, kept = going.leaving, theirs.leaving.kept
     if line.filled or kept is None or isinstance(kept, tuple):
         low, high = theirs.leaving.window
-        if other.arrives:
+        if other.end is End.TARGET:
             window = low - SOONER, low - SOONER + TAKES
         else:
             window = high + SOONER - TAKES, high + SOONER
@@ -76,7 +77,7 @@ def _with(k: int, going: Going, j: int, side: Side, other: Side, theirs: Going) 
     for share in (passed - ahead, passed + ahead):
         share = min(max(share, 0.0), 1.0)
         reach = (kept - share) / kept if share < kept else (share - kept) / max(1 - kept, 1e-9)
-        times.append(theirs.leaving.time(1 - reach, other.arrives))
+        times.append(theirs.leaving.time(1 - reach, other.end))
     window = min(times), max(times)
     if window[1] - window[0] < 0.05:
         window = max(window[0] - 0.05, 0.0), min(window[1] + 0.05, 1.0)

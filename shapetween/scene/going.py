@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.ends import End
 from shapetween.scene.clusters import Hosts
 from shapetween.scene.forms import Dot, Segment
 from shapetween.scene.items import Item
@@ -67,14 +68,15 @@ class Going:
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One drawing, what stays of it, and whether the rest comes instead of going.
+    """One drawing, what stays of it, and at which end the rest exists.
 
     Attributes
     ----------
     scene : Scene
     hosts : mapping of int to sequence of Track
         Of the items that have partners.
-    arrives : bool
+    end : End
+        The end at which what has no partner exists.
     gaps : tuple of Item
         Pieces that are cut out of the other drawing's lines.
     only : bool
@@ -83,20 +85,20 @@ class Side:
 
     scene: Scene
     hosts: Hosts
-    arrives: bool
+    end: End
     gaps: tuple[Item, ...] = ()
     only: bool = False
 
     @cached_property
     def window(self) -> tuple[float, float]:
         """When what has no partner goes or comes, by how much of the drawing stays."""
-        if self.only and self.arrives:
+        if self.only and self.end is End.TARGET:
             return ONLY_COME
         areas = np.array([item.area for item in self.scene.items])
         areas[self.scene.sheets] = 0.0
         whole = float(areas.sum())
         stays = float(areas[list(self.hosts)].sum()) / whole if whole > 0 else 1.0
-        some, none = (COMES, ALL_COME) if self.arrives else (GOES, ALL_GO)
+        some, none = (COMES, ALL_COME) if self.end is End.TARGET else (GOES, ALL_GO)
         gone = (1 - stays) ** 2  # a part or two that go do not count
         low, high = ((1 - gone) * a + gone * b for a, b in zip(some, none, strict=True))
         return low, high
@@ -113,15 +115,15 @@ class Side:
             return ()
         reach = self.scene.scale * (1.0 if how == "beside" else NEAR)
         track = self.hosts[host][0]
-        return (Carry(track, place, reach, float(self.arrives), how == "in"),)
+        return (Carry(track, place, reach, self.end, how == "in"),)
 
     def part_of(self, step: int, steps: int) -> tuple[float, float]:
         """The window of one of several that come or go one after the other."""
         low, high = self.window
         if steps == 1:
             return low, high
-        wait = WAITS * (high - low) * (1 if self.arrives else -1) / (steps - 1)
-        if self.arrives:
+        wait = WAITS * (high - low) * (1 if self.end is End.TARGET else -1) / (steps - 1)
+        if self.end is End.TARGET:
             return low + step * wait, high - (steps - 1 - step) * wait
         return low - (steps - 1 - step) * wait, high + step * wait
 

@@ -3,9 +3,10 @@
 import numpy as np
 
 from shapetween.base.arrays import Index
+from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Roles
 from shapetween.scene.motion.carried import Carried, Tie, Tied
-from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.relations import Scene
 
 __all__ = ["kept_to"]
@@ -20,23 +21,23 @@ MOST_ENDS = 400
 
 def kept_to(
     k: int,
-    found: tuple[Track, ...],
+    found: tuple[CurveTrack, ...],
     a: Scene,
     b: Scene,
     roles: Roles,
-    known: dict[int, tuple[Track, ...]],
-) -> tuple[Track, ...]:
+    known: dict[int, tuple[CurveTrack, ...]],
+) -> tuple[CurveTrack, ...]:
     """The tracks of one pair, kept to those pairs' that are known already.
 
     Parameters
     ----------
     k : int
         Which pair.
-    found : tuple of Track
+    found : tuple of CurveTrack
         Its own.
     a, b : Scene
     roles : Roles
-    known : dict of int to tuple of Track
+    known : dict of int to tuple of CurveTrack
     """
     role = roles.pairs[k]
     one, other = a.items[role.first], b.items[role.second]

@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.ends import End
 from shapetween.scene.asked import Change
 from shapetween.scene.clusters import (
     Cluster,
@@ -72,8 +73,8 @@ def goings_between(
         for s, own in zip(scenes, lone, strict=True)
     ]
     sides = (
-        Side(scenes[0], hosts[0], False, gaps[1], not lone[1]),
-        Side(scenes[1], hosts[1], True, gaps[0], not lone[0]),
+        Side(scenes[0], hosts[0], End.SOURCE, gaps[1], not lone[1]),
+        Side(scenes[1], hosts[1], End.TARGET, gaps[0], not lone[0]),
     )
     first, second = (_goings(s, own, change) for s, own in zip(sides, lone, strict=True))
     timed_gaps(sides[0], sides[1], first, second)

@@ -3,40 +3,40 @@
 import numpy as np
 
 from shapetween.base.arrays import Curves
+from shapetween.base.ends import End
 from shapetween.model.outline import Outline
+from shapetween.model.paint import Style
+from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
-from shapetween.scene.motion.tracks import Frame
+from shapetween.scene.motion.tracks import Frame, Framed
 from shapetween.scene.places import Places, cut_alike
-from shapetween.scene.presence import Leaving, LonePart
-from shapetween.scene.strokes import StrokedLonePart, stroked_lone_part
+from shapetween.scene.presence import Carry, Leaving, LeavingPaint, LeavingTrack
+from shapetween.scene.strokes import stroked_leaving
 
-__all__ = ["lone_part"]
+__all__ = ["unmatched_part"]
 
 
-def lone_part(
-    item: Item, going: Going, arrives: bool, frame: Frame | None
-) -> LonePart | StrokedLonePart:
+def unmatched_part(item: Item, going: Going, end: End, frame: Frame | None) -> Part:
     """The part of an item without a partner.
 
     Parameters
     ----------
     item : Item
     going : Going
-    arrives : bool
-        Whether it comes.
+    end : End
+        The end at which it exists.
     frame : Frame or None
         What the whole drawing moves in.
     """
-    leaving, carries = going.leaving, going.carries
-    painted = item.painted
-    fold = going.fold
+    leaving, carries, painted, fold = going.leaving, going.carries, item.painted, going.fold
+
+    def part(track: CurveTrack, style: Style, leaving: Leaving) -> Part:
+        seen = track if frame is None else Framed(track, frame)
+        return Part(item.name, (seen,), LeavingPaint(style, leaving, end, seen), end)
+
     if painted is not None and leaving.kept is None and fold is None:  # nothing asks for its line
-        rings = [ring.curves for ring in painted.rings]
-        closed = (True,) * len(rings)
-        return LonePart(
-            item.name, painted.style, tuple(rings), closed, leaving, arrives, carries, frame
-        )
+        return part(_rings(painted.rings, leaving, end, carries), painted.style, leaving)
     rings = [ring.curves for ring in item.rings]
     closed = tuple(ring.closed for ring in item.rings)
     if item.filled:
@@ -45,21 +45,22 @@ def lone_part(
         rings, closed = _halves(item.outer, going.cut), (False, False)
     if fold is not None:
         rings = [fold.pieces.source]
-    if painted is not None:
-        line = LonePart(
-            item.name, painted.style, tuple(rings), closed, leaving, arrives, carries, fold=fold
-        )
-        stroked = stroked_lone_part(line, item, frame)
-        if stroked is not None:
-            return stroked
-        rings, closed = [ring.curves for ring in painted.rings], (True,) * len(painted.rings)
-        leaving = Leaving(leaving.window, item.centre)
-        return LonePart(
-            item.name, painted.style, tuple(rings), closed, leaving, arrives, carries[:1], frame
-        )
-    return LonePart(
-        item.name, item.style, tuple(rings), closed, leaving, arrives, carries, frame, fold
-    )
+    lines = LeavingTrack(tuple(rings), closed, leaving, end, carries, fold)
+    if painted is None:
+        return part(lines, item.style, leaving)
+    stroked = stroked_leaving(lines, painted)
+    if stroked is not None:
+        return part(stroked, painted.style, leaving)
+    shrinking = Leaving(leaving.window, item.centre)
+    return part(_rings(painted.rings, shrinking, end, carries[:1]), painted.style, shrinking)
+
+
+def _rings(
+    rings: tuple[Outline, ...], leaving: Leaving, end: End, carries: tuple[Carry, ...]
+) -> LeavingTrack:
+    """Closed rings as they are."""
+    whole = tuple(ring.curves for ring in rings)
+    return LeavingTrack(whole, (True,) * len(whole), leaving, end, carries)
 
 
 def _halves(line: Outline, at: float) -> list[Curves]:

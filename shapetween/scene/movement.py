@@ -7,12 +7,14 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.ends import End
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice, distinct
 from shapetween.base.ranking import comparable
 from shapetween.fill.morph import morph_fill
-from shapetween.fill.parts import FilledPart
 from shapetween.fill.settings import Claimed, FillSettings
+from shapetween.fill.track import FillTrack, fills_of
+from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
 from shapetween.scene.exchange import (
@@ -26,12 +28,12 @@ from shapetween.scene.items import Item
 from shapetween.scene.keeping import kept_to
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
-from shapetween.scene.lone import lone_part
-from shapetween.scene.motion.tracks import Frame, Shared, Track
+from shapetween.scene.lone import unmatched_part
+from shapetween.scene.motion.tracks import Frame, Shared
 from shapetween.scene.order import Layer, layers_of
 from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
-from shapetween.scene.parts import PairPart, ScenePart, joined_parts, pair_part
+from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.strokes import as_painted
 
@@ -57,37 +59,36 @@ class SceneMovement:
         The second one as it is in the frame.
     roles : Roles
     notices : tuple of Notice
-    tracks : dict of int to tuple of Track
+    tracks : dict of int to tuple of CurveTrack
         By pair.
     settings : FillSettings
     frame : Frame or None
     """
 
-    parts: tuple[ScenePart, ...]
+    parts: tuple[Part, ...]
     scenes: tuple[Scene, Scene]
     roles: Roles
     notices: tuple[Notice, ...]
-    tracks: dict[int, tuple[Track, ...]]
+    tracks: dict[int, tuple[CurveTrack, ...]]
     settings: FillSettings
     frame: Frame | None
 
     @property
-    def areas(self) -> tuple[FilledPart, ...]:
+    def areas(self) -> tuple[FillTrack, ...]:
         """What of the parts the outline engine moves, in paint order."""
-        pairs = (part for part in self.parts if isinstance(part, PairPart))
-        return tuple(area for part in pairs for area in part.areas)
+        return fills_of(track for part in self.parts for track in part.tracks)
 
     @cached_property
-    def meshed(self) -> tuple[FilledPart, ...]:
+    def meshed(self) -> tuple[FillTrack, ...]:
         """Every pair of areas as the outline engine would move it, in the order of their roles."""
         settings = replace(self.settings, pins=np.zeros((0, 4)), claimed=Claimed(), meshed=True)
-        found = []
+        found: list[FillTrack] = []
         for k, role in enumerate(self.roles.pairs):
             one = self.scenes[0].items[role.first]
             other = self.scenes[1].items[role.second]
             if not (one.filled and other.filled):
                 continue
-            own = [area for track in self.tracks[k] for area in track.areas]
+            own = fills_of(self.tracks[k])
             if own and self.frame is None:
                 found += own
                 continue
@@ -136,7 +137,7 @@ def move_scene(
         roles = exchange_roles(a, b, roles, paired.scenes)
         said.append(EXCHANGED_NOTICE)
     with settings.observe("move"):
-        tracks: dict[int, tuple[Track, ...]] = {}
+        tracks: dict[int, tuple[CurveTrack, ...]] = {}
         mains = main_pairs(a, b, roles)
         for k in _largest_first(a, roles):
             role = roles.pairs[k]
@@ -153,12 +154,12 @@ def move_scene(
         )
         if exchange:
             goings = (
-                exchange_goings(a, roles.leavers, False),
-                exchange_goings(b, roles.comers, True),
+                exchange_goings(a, roles.leavers, End.SOURCE),
+                exchange_goings(b, roles.comers, End.TARGET),
             )
         else:
             goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
-        parts: list[ScenePart] = []
+        parts: list[Part] = []
         named: set[str] = set()
         for part in joined_parts(
             _part(layer, a, b, roles, tracks, goings, frame) for layer in layers_of(a, b, roles)
@@ -194,16 +195,18 @@ def _part(
     a: Scene,
     b: Scene,
     roles: Roles,
-    tracks: dict[int, tuple[Track, ...]],
+    tracks: dict[int, tuple[CurveTrack, ...]],
     goings: tuple[dict[int, Going], dict[int, Going]],
     frame: Frame | None,
-) -> ScenePart:
+) -> tuple[Part, PairPaint | None]:
     if layer.pair is not None:
         role = roles.pairs[layer.pair]
         one, other = of_one_kind(a.items[role.first], b.items[role.second])
         one, other, found = as_painted(one, other, tracks[layer.pair])
         return pair_part(one, other, found, frame, layer)
     if layer.leaver is not None:
-        return lone_part(a.items[layer.leaver], goings[0][layer.leaver], False, frame)
+        return unmatched_part(
+            a.items[layer.leaver], goings[0][layer.leaver], End.SOURCE, frame
+        ), None
     assert layer.comer is not None
-    return lone_part(b.items[layer.comer], goings[1][layer.comer], True, frame)
+    return unmatched_part(b.items[layer.comer], goings[1][layer.comer], End.TARGET, frame), None

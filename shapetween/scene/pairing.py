@@ -7,13 +7,14 @@ import numpy as np
 
 from shapetween.base.arrays import Mask, Points
 from shapetween.base.observe import Observer, unobserved
+from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Asked, Group
 from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import cut_alike_items
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.motion.pinned import pinned_items
-from shapetween.scene.motion.tracks import Frame, Track
+from shapetween.scene.motion.tracks import Frame
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.whole import frame_between, moved_items
 
@@ -33,7 +34,7 @@ class Paired:
         In which the drawings move as a whole.
     pinned : dict of int to (int, int)
         The pair that each pin is on.
-    still : dict of (int, int) to tuple of Track
+    still : dict of (int, int) to tuple of CurveTrack
         Pairs of which most stays where it is, and how the rest moves.
     """
 
@@ -41,7 +42,7 @@ class Paired:
     roles: Roles
     frame: Frame | None
     pinned: dict[int, tuple[int, int]]
-    still: dict[tuple[int, int], tuple[Track, ...]]
+    still: dict[tuple[int, int], tuple[CurveTrack, ...]]
 
 
 def pair_items(

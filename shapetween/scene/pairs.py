@@ -13,6 +13,7 @@ from shapetween.fill.settings import FillSettings
 from shapetween.fill.stroking import outlined
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Roles
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
@@ -20,7 +21,7 @@ from shapetween.scene.motion.choose import Ends, elastic, tracks_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.seams import seamed_tracks
-from shapetween.scene.motion.tracks import Blend, Mirrored, Track
+from shapetween.scene.motion.tracks import Blend, Mirrored
 from shapetween.scene.relations import Scene
 
 __all__ = ["main_pairs", "of_one_kind", "pair_tracks"]
@@ -40,7 +41,7 @@ def pair_tracks(
     pinned: Sequence[int],
     *,
     main: bool,
-) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
     """Tracks of one pair; of a pair whose mates are a pair too, as the mirror image of those.
 
     Parameters
@@ -68,7 +69,7 @@ def pair_tracks(
         return (Blend(pieces, np.stack([ends.first.centre, ends.second.centre])),), ()
     axis = _mirror(role.first, role.second, a, b, roles)
 
-    def tracks(ends: Ends) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+    def tracks(ends: Ends) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
         return tracks_of(ends, settings, names)
 
     if axis is None:
@@ -86,7 +87,7 @@ def pair_tracks(
 
 def _pinned_areas(
     ends: Ends, settings: FillSettings, names: tuple[str, str], pinned: Sequence[int]
-) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
     """Tracks of two areas with pins; those on holes leave the outer ring to move as without."""
     pins = settings.pins[list(pinned)]
     on = pinned_rings(ends.first.rings, ends.second.rings, pins)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Affine, Curves, Floats, Index, Points
+from shapetween.base.ends import End
 from shapetween.geometry.bezier import (
     derivatives,
     end_tangents,
@@ -19,11 +20,11 @@ from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.model.gradients import has_gradient, moved_style
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Stroke, Style
+from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.motion.fold import Fold
-from shapetween.scene.motion.tracks import Frame, Track
 from shapetween.scene.places import Places
 
-__all__ = ["BOTH", "Carry", "Leaving", "LonePart", "smooth_step"]
+__all__ = ["BOTH", "Carry", "Leaving", "LeavingPaint", "LeavingTrack", "smooth_step"]
 
 #: How soon a contour's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.02
@@ -64,22 +65,22 @@ class Carry:
 
     Attributes
     ----------
-    track : Track
+    track : CurveTrack
         The part's.
     place : (2,) float64
         What is carried, at home.
     reach : float
         Distance within which an outline's own movement counts fully, in the drawing's units.
-    end : float
-        When the item is whole: 0 or 1.
+    end : End
+        The end at which the item exists.
     grows : bool
         Whether what is carried turns and grows as the part does, or is only moved.
     """
 
-    track: Track
+    track: CurveTrack
     place: Points
     reach: float
-    end: float
+    end: End
     grows: bool = True
 
     def moved(self, t: Floats) -> tuple[Points, Floats]:
@@ -90,7 +91,7 @@ class Carry:
         The place moves with the similarity that fits the whole outline best, the nearer parts
         better, and by what is left of the movement of what is next to it.
         """
-        curves = self.track.curves(np.append(t, self.end))
+        curves = self.track.curves(np.append(t, float(self.end)))
         points = evaluate(curves, np.array([0.0, 0.5, 1.0])).reshape(len(t) + 1, -1, 2)
         home = points[-1]
         away = np.linalg.norm(home - self.place, axis=1) + self.reach
@@ -154,11 +155,11 @@ class Leaving:
         """Of what shrinks or is retracted, as a share of its own, when it has gone so far."""
         return np.asarray(self.least + (1 - self.least) * (1 - gone))
 
-    def gone(self, t: Floats, arrives: bool) -> Floats:
+    def gone(self, t: Floats, end: End) -> Floats:
         """How far it has gone at the times (F,), from 0 to 1."""
         low, high = self.window
         time = np.clip((t - low) / (high - low), 0.0, 1.0)
-        if arrives:
+        if end is End.TARGET:
             time = 1 - time
         if self.fades:
             return smooth_step(time)
@@ -166,63 +167,56 @@ class Leaving:
             return np.asarray(time)
         return np.asarray(time ** (SHRINKS if self.kept is None else RETRACTS))
 
-    def time(self, gone: float, arrives: bool) -> float:
+    def time(self, gone: float, end: End) -> float:
         """When a line has been retracted by a share."""
         low, high = self.window
         time = gone if self.steady else gone ** (1 / RETRACTS)
-        return low + (high - low) * (1 - time if arrives else time)
+        return low + (high - low) * (1 - time if end is End.TARGET else time)
 
 
 @dataclass(frozen=True, eq=False)
-class LonePart:
-    """An item without a partner.
+class LeavingTrack(Leaf):
+    """Rings and lines of an item without a partner.
 
     Attributes
     ----------
-    name : str
-    whole : Style
-    curves_at_home : tuple of (N, 4, 2) float64
-        Its rings.
+    whole : tuple of (N, 4, 2) float64
+        As they are at their own end.
     closed : tuple of bool
     leaving : Leaving
-    arrives : bool
-        Whether it comes instead.
+    end : End
+        The end at which they exist.
     carries : tuple of Carry
         What each ring goes along with, or all of them, or nothing; of one line two things, which
         its ends go along with.
-    frame : Frame or None
-        What the whole drawing moves in.
     fold : Fold or None
         How it folds, if it does.
     """
 
-    name: str
-    whole: Style
-    curves_at_home: tuple[Curves, ...]
+    whole: tuple[Curves, ...]
     closed: tuple[bool, ...]
     leaving: Leaving
-    arrives: bool
+    end: End
     carries: tuple[Carry, ...] = ()
-    frame: Frame | None = None
     fold: Fold | None = None
 
     @property
-    def rings(self) -> tuple[int, ...]:
+    def counts(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
-        return tuple(len(curves) for curves in self.curves_at_home)
+        return tuple(len(curves) for curves in self.whole)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        gone = self.leaving.gone(t, self.arrives)
+        gone = self.leaving.gone(t, self.end)
         kept = self.leaving.kept
-        shares = kept if isinstance(kept, tuple) else (kept,) * len(self.curves_at_home)
+        shares = kept if isinstance(kept, tuple) else (kept,) * len(self.whole)
         rings = [
             self.fold.curves(t, gone)
             if self.fold is not None
             else np.repeat(curves[None], len(t), axis=0)
             if share is None
             else retracted(curves, self.leaving.size(gone), share)
-            for curves, share in zip(self.curves_at_home, shares, strict=True)
+            for curves, share in zip(self.whole, shares, strict=True)
         ]
         place = self.leaving.place
         if place is not None:
@@ -238,18 +232,34 @@ class LonePart:
                 result = _spanned(result, self.carries, t)
             elif self.carries:
                 result = _carried(result, *self.carries[0].moved(t), self.carries[0])
-        if self.frame is not None:
-            result = self.frame.carried(result, t)
-        home = np.concatenate(self.curves_at_home)
-        end = float(self.arrives)
-        if self.frame is None or not self.arrives:
-            result[t == end] = home
+        result[t == self.end] = np.concatenate(self.whole)
         return np.asarray(result)
 
-    def style(self, t: float) -> Style:
-        """Paint at one time: whole at its own end, and nothing from when it is gone."""
-        gone = float(self.leaving.gone(np.array([t]), self.arrives)[0])
-        if t == float(self.arrives):
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LeavingPaint:
+    """The paint of an item without a partner: whole at its own end, nothing from when it is gone.
+
+    Attributes
+    ----------
+    whole : Style
+        As it is at its own end.
+    leaving : Leaving
+    end : End
+        The end at which it exists.
+    track : CurveTrack
+        What gradients follow.
+    """
+
+    whole: Style
+    leaving: Leaving
+    end: End
+    track: CurveTrack
+
+    def at(self, t: float) -> Style:
+        """How it is painted at one time."""
+        gone = float(self.leaving.gone(np.array([t]), self.end)[0])
+        if t == self.end:
             return self.whole
         style = self.whole
         if self.leaving.fades:
@@ -264,7 +274,7 @@ class LonePart:
             thinner = size if self.leaving.thins else min(1.0, size / HEAVY)
             style = replace(style, stroke=_thinned(style.stroke, thinner))
         if has_gradient(style):
-            curves = self.curves(np.array([t, float(self.arrives)])).reshape(2, -1, 2)
+            curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
         return replace(style, opacity=style.opacity * seen)
 

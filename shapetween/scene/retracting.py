@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.ends import End
 from shapetween.scene.clusters import Cluster, is_line
 from shapetween.scene.folding import fold_onto
 from shapetween.scene.forms import OpenLine, Segment
@@ -55,7 +56,7 @@ def gap_going(k: int, side: Side) -> Going:
             if (np.linalg.norm(theirs - ends[e], axis=1) <= reach).any():
                 found[e] = j
     carries = [side.carry(j, ends[e], "at") for e, j in enumerate(found)]
-    window = ALONE if not side.arrives else (1 - ALONE[1], 1 - ALONE[0])
+    window = ALONE if side.end is End.SOURCE else (1 - ALONE[1], 1 - ALONE[0])
     if all(carries):
         return Going(Leaving(window, kept=BOTH, steady=True), carries[0] + carries[1])
     kept = 0.5 if not any(carries) else float(not carries[0])
@@ -163,7 +164,7 @@ def _between(
     if fold is not None:
         return Going(Leaving(window), fold=fold)
     mated = any(axis.mates[k] >= 0 for axis in side.scene.axes)
-    if mated or not (side.arrives and _slashes(k, None, side)):
+    if mated or not (side.end is End.TARGET and _slashes(k, None, side)):
         apart = all(j in side.hosts for j in on)
         spanned = carries[0] + carries[1] if apart else carries[0]
         return Going(Leaving(window, kept=0.5, least=STUB), spanned)
@@ -265,7 +266,7 @@ def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
         return 0.5
     if parent is not None and scene.items[parent].filled and _is_plain(k, scene):
         return 0.5
-    if not side.arrives and isinstance(scene.forms[k], Segment):
+    if side.end is End.SOURCE and isinstance(scene.forms[k], Segment):
         return 0.5
     for axis in scene.axes:
         if axis.flips == 0 and axis.mates[k] not in (-1, k) and item.centre[0] > axis.place:

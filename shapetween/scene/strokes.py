@@ -9,22 +9,22 @@ from shapetween.base.arrays import Curves, Floats
 from shapetween.fill.regions import Region
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Stroke, Style
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, Painted
-from shapetween.scene.motion.tracks import Frame, Meshless, Track
-from shapetween.scene.presence import LonePart
+from shapetween.scene.motion.tracks import OfTrack
+from shapetween.scene.presence import LeavingTrack
 from shapetween.scene.stroke_contour import stroke_rings
 from shapetween.scene.stroke_cuts import opened_ring, parted_ring
 from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 from shapetween.scene.stroke_outline import StrokeOutline, stroke_outline
 
 __all__ = [
-    "StrokedLonePart",
     "StrokedTrack",
     "as_lines",
     "as_painted",
     "line_of",
-    "stroked_lone_part",
+    "stroked_leaving",
 ]
 
 #: Most curves of an area that is looked at for centre lines, and most areas of a drawing: icons
@@ -113,22 +113,24 @@ def line_of(stroke: OutlinedStroke, item: Item) -> Item:
 
 
 @dataclass(frozen=True, eq=False)
-class StrokedTrack(Meshless):
-    """The outline of a stroke whose line moves.
+class StrokedTrack(OfTrack):
+    """The outlines of strokes whose lines a track moves.
 
     Attributes
     ----------
-    line : Track
-    outline : StrokeOutline
+    outlines : tuple of StrokeOutline
+        Of each line.
+    constant : bool
+        Whether they are the first end's all the time, else they become the second end's.
     """
 
-    line: Track
-    outline: StrokeOutline
+    outlines: tuple[StrokeOutline, ...]
+    constant: bool = False
 
     @property
     def counts(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
-        return self.outline.counts
+        return tuple(n for outline in self.outlines for n in outline.counts)
 
     @property
     def closed(self) -> tuple[bool, ...]:
@@ -137,18 +139,21 @@ class StrokedTrack(Meshless):
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        return self.outline.curves(self.line.curves(t), t)
+        lines = np.split(self.track.curves(t), np.cumsum(self.track.counts)[:-1], axis=1)
+        at = np.zeros(len(t)) if self.constant else t
+        pairs = zip(self.outlines, lines, strict=True)
+        return np.concatenate([outline.curves(line, at) for outline, line in pairs], axis=1)
 
 
 def as_painted(
-    first: Item, second: Item, tracks: tuple[Track, ...]
-) -> tuple[Item, Item, tuple[Track, ...]]:
+    first: Item, second: Item, tracks: tuple[CurveTrack, ...]
+) -> tuple[Item, Item, tuple[CurveTrack, ...]]:
     """A pair of lines as the areas they are painted as, if one of them is, and what moves those.
 
     Parameters
     ----------
     first, second : Item
-    tracks : tuple of Track
+    tracks : tuple of CurveTrack
         Of the line. They stay as they are, and so do the items, where both are no lines or are
         painted as strokes, or an outline does not follow its line.
     """
@@ -168,7 +173,7 @@ def as_painted(
     if bound is None:
         return first, second, tracks
     first, second = (replace(item, style=_painted_style(item)) for item in (first, second))
-    return first, second, (StrokedTrack(line, bound),)
+    return first, second, (StrokedTrack(line, (bound,)),)
 
 
 def _rings(line: Outline, item: Item) -> tuple[Outline, ...] | None:
@@ -194,70 +199,22 @@ def _painted_style(item: Item) -> Style:
     return replace(item.style, fill=stroke.paint, stroke=None)
 
 
-@dataclass(frozen=True, eq=False)
-class StrokedLonePart:
-    """A line without a partner that is painted as an area.
-
-    Attributes
-    ----------
-    name : str
-    lines : LonePart
-        The line, or its halves.
-    outlines : tuple of StrokeOutline
-        Of each.
-    frame : Frame or None
-        What the whole drawing moves in.
-    """
-
-    name: str
-    lines: LonePart
-    outlines: tuple[StrokeOutline, ...]
-    frame: Frame | None
-
-    @property
-    def rings(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(n for outline in self.outlines for n in outline.counts)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """All of them."""
-        return (True,) * len(self.rings)
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        lines = self.lines.curves(t)
-        ends = np.cumsum(self.lines.rings)[:-1]
-        still = np.zeros(len(t))
-        drawn = [
-            outline.curves(line, still)
-            for outline, line in zip(self.outlines, np.split(lines, ends, axis=1), strict=True)
-        ]
-        result = np.concatenate(drawn, axis=1)
-        return result if self.frame is None else self.frame.carried(result, t)
-
-    def style(self, t: float) -> Style:
-        """Paint at one time."""
-        return self.lines.style(t)
-
-
-def stroked_lone_part(lines: LonePart, item: Item, frame: Frame | None) -> StrokedLonePart | None:
-    """A line without a partner, painted as the area it is.
+def stroked_leaving(lines: LeavingTrack, painted: Painted) -> StrokedTrack | None:
+    """Lines without a partner as the area that they are painted as.
 
     Parameters
     ----------
-    lines : LonePart
-        The item's line or the two halves of it, without a frame, painted as the area is.
-    item : Item
-    frame : Frame or None
+    lines : LeavingTrack
+        The item's line or the two halves of it.
+    painted : Painted
+        The item's.
 
     Returns
     -------
-    StrokedLonePart or None
+    StrokedTrack or None
         None if the area's outline does not follow the line.
     """
-    assert item.painted is not None
-    home, rings = lines.curves_at_home, item.painted.rings
+    home, rings = lines.whole, painted.rings
     areas: list[tuple[Outline, ...]] = [rings]
     if len(home) == 2:
         whole = np.concatenate(home)
@@ -271,4 +228,4 @@ def stroked_lone_part(lines: LonePart, item: Item, frame: Frame | None) -> Strok
         if outline is None:
             return None
         outlines.append(outline)
-    return StrokedLonePart(lines.name, lines, tuple(outlines), frame)
+    return StrokedTrack(lines, tuple(outlines), constant=True)

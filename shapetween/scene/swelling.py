@@ -6,9 +6,9 @@ import numpy as np
 
 from shapetween.geometry.bezier import flatten
 from shapetween.match.register import register
+from shapetween.model.part import CurveTrack
 from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import corner_tracks
-from shapetween.scene.motion.tracks import Track
 
 __all__ = ["swells"]
 
@@ -45,7 +45,7 @@ def swells(first: Item, second: Item, lines: Sequence[Sequence[Item]]) -> bool:
     )
 
 
-def _deep(tracks: Sequence[Track], time: float, width: float) -> bool:
+def _deep(tracks: Sequence[CurveTrack], time: float, width: float) -> bool:
     import shapely
 
     areas = []

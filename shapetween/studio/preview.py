@@ -3,18 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from shapetween.api import Morph, Pin
 from shapetween.base.arrays import Points
-from shapetween.fill.parts import FilledPart
 from shapetween.geometry.affine import mapped
+from shapetween.model.part import CurveTrack
 from shapetween.outline.preview import Effort, Previews
 from shapetween.pipeline import Prepared
-from shapetween.scene.motion.tracks import Elastic, Mirrored, Shared, Track
-from shapetween.scene.parts import PairPart
 
 __all__ = ["previewed"]
 
@@ -47,32 +44,19 @@ def previewed(
     if moved is None:
         return None
     found = iter(moved)
-    fresh = {
-        id(part): replace(part, bodies=tuple(next(found) for _ in part.bodies))
-        for part in prepared.filled
+    tracks = tuple(
+        replace(track, bodies=tuple(next(found) for _ in track.bodies)) for track in prepared.filled
+    )
+    fresh: dict[int, CurveTrack] = {
+        id(old): new for old, new in zip(prepared.filled, tracks, strict=True)
     }
-    parts = tuple(_renewed(part, fresh) for part in prepared.movement.parts)
+    parts = tuple(
+        part.following(lambda track: fresh.get(id(track), track))
+        for part in prepared.movement.parts
+    )
     movement = replace(prepared.movement, parts=parts)
-    renewed = replace(prepared, movement=movement, filled=tuple(fresh.values()))
+    renewed = replace(prepared, movement=movement, filled=tracks)
     return replace(base, prepared=renewed)
-
-
-def _renewed(part: Any, fresh: dict[int, FilledPart]) -> Any:
-    """A part of the movement with its outlines as they are now."""
-    if isinstance(part, PairPart):
-        return replace(part, tracks=tuple(_followed(track, fresh) for track in part.tracks))
-    return fresh.get(id(part), part)
-
-
-def _followed(track: Track, fresh: dict[int, FilledPart]) -> Track:
-    """A track with the outlines that it follows as they are now."""
-    if isinstance(track, Shared):
-        return Shared(_followed(track.track, fresh))
-    if isinstance(track, Mirrored):
-        return replace(track, track=_followed(track.track, fresh))
-    if isinstance(track, Elastic):
-        return Elastic(fresh.get(id(track.part), track.part))
-    return track
 
 
 @lru_cache(maxsize=4)  # by identity; as many as legs are kept

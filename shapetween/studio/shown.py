@@ -8,7 +8,6 @@ from shapetween.api import Morph
 from shapetween.base.arrays import Affine, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.bezier import evaluate
-from shapetween.scene.parts import PairPart
 
 __all__ = ["Ring", "line_rings", "shape_pairs"]
 
@@ -33,7 +32,7 @@ def line_rings(leg: Morph, first: Affine, second: Affine) -> list[Ring]:
     """
     found: list[Ring] = []
     for part in leg.prepared.movement.parts:
-        if not isinstance(part, PairPart) or part.areas or len(found) >= MOST_RINGS:
+        if part.only is not None or part.areas or len(found) >= MOST_RINGS:
             continue
         ends = part.curves(np.array([0.0, 1.0]))
         start = 0

@@ -8,12 +8,13 @@ from shapetween.base.arrays import Curves
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Style
+from shapetween.model.part import Part
 from shapetween.svg.write.numbers import path_data
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE, keyframes
 from shapetween.timing.schedule import Schedule
-from tests.movements import FormulaPart, spin
+from tests.movements import formula_part, spin
 
 BOX = Box(0, 0, 100, 100)
 
@@ -27,9 +28,9 @@ def flower(curves: int) -> Curves:
     return np.asarray(points[index])
 
 
-def turning(curves: int) -> FormulaPart:
+def turning(curves: int) -> Part:
     style = Style(Colour(1.0)), Style(Colour(0.0, 0.0, 1.0))
-    return FormulaPart(flower(curves), spin(0.3, (9.0, 4.0)), *style, rings=(curves,))
+    return formula_part(flower(curves), spin(0.3, (9.0, 4.0)), *style, rings=(curves,))
 
 
 @pytest.mark.parametrize("curves", [20, 80, 320])

@@ -18,7 +18,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Stroke, Style
 from shapetween.svg.write.sequence import frame_svg
 from tests.browser import difference
-from tests.movements import FormulaPart, circle, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, sample_chain, sample_movement, spin
 from tests.paints import BLUE, DISC, EVERY, RED, STRIPES, THICK, THIN
 from tests.players import resvg_pictures
 
@@ -152,7 +152,7 @@ PLAIN = [
 @pytest.mark.parametrize(("first", "last"), PLAIN)
 def test_it_shows_what_the_frames_show(first: Style, last: Style) -> None:
     ring = circle(np.array([50.0, 50.0]), 30.0)
-    movement = Movement((FormulaPart(ring, spin(0.3), first, last),), Box(0, 0, 100, 100))
+    movement = Movement((formula_part(ring, spin(0.3), first, last),), Box(0, 0, 100, 100))
     assert_shows(written(movement), movement, QUARTERS, 0.5)
 
 

@@ -16,7 +16,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.paint import Stroke, Style
 from shapetween.svg.write.sequence import frame_svg
 from tests.browser import SIZE, Browser, chromium, difference
-from tests.movements import FormulaPart, circle, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, sample_chain, sample_movement, spin
 from tests.paints import BLUE, RED, STRIPES
 from tests.players import css_pictures
 
@@ -92,7 +92,7 @@ def test_chains_change_their_structure_between_two_legs(browser: Browser) -> Non
 def test_parts_of_one_colour_are_united_whichever_way_they_run(browser: Browser) -> None:
     ring = circle(np.array([40.0, 50.0]), 25.0)
     other = circle(np.array([60.0, 50.0]), 25.0)[::-1, ::-1]
-    movement = Movement((FormulaPart(ring, spin(0.1)), FormulaPart(other, spin(0.1))), BOX)
+    movement = Movement((formula_part(ring, spin(0.1)), formula_part(other, spin(0.1))), BOX)
     shots = css_pictures(browser, written(movement, size=(SIZE,)), "morph", (1.0,), BODIES["path"])
     frame = frame_svg(movement.at(np.array([0.5]))[0])
     assert difference(shots[0], browser.pictures([frame], [0.0])[0]) <= 3e-4

@@ -17,7 +17,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.paint import Style
 from shapetween.svg.write.sequence import frame_svg
 from tests.browser import difference
-from tests.movements import FormulaPart, circle, rest, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, rest, sample_chain, sample_movement, spin
 from tests.paints import BLUE, DISC, EVERY, OVAL, RED, THIN
 from tests.players import resvg_pictures, thorvg_pictures
 
@@ -135,7 +135,7 @@ def test_chains_show_every_leg_in_its_time() -> None:
 
 
 def test_what_stands_still_has_no_keyframes() -> None:
-    part = FormulaPart(circle(np.array([5.0, 5.0]), 3.0), rest)
+    part = formula_part(circle(np.array([5.0, 5.0]), 3.0), rest)
     animation = written(Movement((part,), Box(0, 0, 10, 10)))
     assert_valid(animation)
     assert all(item.get("a") != 1 for item in walk(animation["layers"]))
@@ -144,9 +144,9 @@ def test_what_stands_still_has_no_keyframes() -> None:
 def test_what_is_never_seen_is_left_out() -> None:
     ring = circle(np.array([5.0, 5.0]), 3.0)
     parts = (
-        FormulaPart(ring, spin(0.3), Style(None), Style(None)),
-        FormulaPart(ring, spin(0.3), Style(RED, opacity=0), Style(BLUE, opacity=0)),
-        FormulaPart(ring, spin(0.3), Style(RED), Style(BLUE)),
+        formula_part(ring, spin(0.3), Style(None), Style(None)),
+        formula_part(ring, spin(0.3), Style(RED, opacity=0), Style(BLUE, opacity=0)),
+        formula_part(ring, spin(0.3), Style(RED), Style(BLUE)),
     )
     assert len(written(Movement(parts, Box(0, 0, 10, 10)))["layers"]) == 1
 
@@ -154,7 +154,7 @@ def test_what_is_never_seen_is_left_out() -> None:
 def test_open_lines_stay_open() -> None:
     ring = circle(np.array([50.0, 50.0]), 30.0)[:3]
     style = Style(None, THIN)
-    part = FormulaPart(ring, spin(0.3), style, style, "arc", (3,), (False,))
+    part = formula_part(ring, spin(0.3), style, style, "arc", (3,), (False,))
     movement = Movement((part,), Box(0, 0, 100, 100))
     animation = written(movement)
     assert_valid(animation)
@@ -164,7 +164,7 @@ def test_open_lines_stay_open() -> None:
 @pytest.mark.parametrize("box", [Box(0, 0, 30, 20), Box(-5, 10, 7, 20), Box(0, 0, 24, 24)])
 def test_any_view_box_becomes_whole_pixels(box: Box) -> None:
     centre = np.array([box.x + box.width / 2, box.y + box.height / 2])
-    part = FormulaPart(circle(centre, 3.0), spin(0.2))
+    part = formula_part(circle(centre, 3.0), spin(0.2))
     animation = written(Movement((part,), box))
     assert_valid(animation)
     assert max(animation["w"], animation["h"]) == 1000

@@ -15,7 +15,7 @@ from shapetween.geometry.bezier import evaluate
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Stroke, Style
-from tests.movements import FormulaPart, circle, rest, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, rest, sample_chain, sample_movement, spin
 from tests.node import run_node
 
 TIMES = (0.0, 0.1, 1 / 4, 0.37, 1 / 2, 3 / 4, 0.999, 1.0)
@@ -86,7 +86,7 @@ def test_what_stands_still_is_kept_once() -> None:
     ring = circle(np.array([50.0, 50.0]), 30.0)
     box = Box(0, 0, 100, 100)
     still, moving = (
-        module_text(Segments((Movement((FormulaPart(ring, move),), box),)), WriteOptions())
+        module_text(Segments((Movement((formula_part(ring, move),), box),)), WriteOptions())
         for move in (rest, spin(0.3))
     )
     legs = [re.search(r"^const legs=(.*);$", text, re.MULTILINE) for text in (still, moving)]
@@ -95,7 +95,7 @@ def test_what_stands_still_is_kept_once() -> None:
 
 
 def test_what_moves_straight_needs_no_terms(tmp_path: Path) -> None:
-    part = FormulaPart(circle(np.array([40.0, 50.0]), 20.0), spin(0.0, (30.0, 10.0)))
+    part = formula_part(circle(np.array([40.0, 50.0]), 20.0), spin(0.0, (30.0, 10.0)))
     movement = Movement((part,), Box(0, 0, 100, 100))
     assert_draws(movement, module_text(Segments((movement,)), WriteOptions()), tmp_path)
 
@@ -105,7 +105,7 @@ def test_jumps_are_followed(tmp_path: Path) -> None:
         far = np.where(t > 0.437, 25.0, 0.0)[:, None, None, None]
         return np.asarray(spin(0.1)(t, start) + far)
 
-    part = FormulaPart(circle(np.array([40.0, 50.0]), 20.0), jump)
+    part = formula_part(circle(np.array([40.0, 50.0]), 20.0), jump)
     movement = Movement((part,), Box(0, 0, 100, 100))
     assert_draws(movement, module_text(Segments((movement,)), WriteOptions()), tmp_path)
 
@@ -143,7 +143,7 @@ def test_styles_are_those_of_the_movement(tmp_path: Path) -> None:
 
 
 def test_names_cannot_break_out_of_a_page(tmp_path: Path) -> None:
-    part = FormulaPart(circle(np.zeros(2), 1.0), spin(0.2), name='</script><!-- "x"')
+    part = formula_part(circle(np.zeros(2), 1.0), spin(0.2), name='</script><!-- "x"')
     movement = Movement((part,), Box(-2, -2, 4, 4))
     text = module_text(Segments((movement,)), WriteOptions())
     assert "</script" not in text

@@ -10,13 +10,13 @@ from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.movement import Movement
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Gradient, Stop, Style
-from tests.movements import FormulaPart, circle, spin
+from tests.movements import circle, formula_part, spin
 
 RING = circle(np.array([50.0, 50.0]), 30.0)
 
 
 def movement(*styles: Style) -> Movement:
-    parts = tuple(FormulaPart(RING, spin(0.2), style, style, "ring") for style in styles)
+    parts = tuple(formula_part(RING, spin(0.2), style, style, "ring") for style in styles)
     return Movement(parts, Box(0, 0, 100, 100))
 
 

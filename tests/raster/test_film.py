@@ -14,7 +14,6 @@ from shapetween.model.paint import Colour
 from shapetween.raster.film import Film, frame_size
 from shapetween.raster.light import Bytes
 from shapetween.raster.resvg import drawn, drawn_apart
-from shapetween.scene.presence import LonePart
 
 pytest.importorskip("resvg_py")
 Image = pytest.importorskip("PIL.Image")
@@ -169,7 +168,7 @@ def test_a_shape_that_leaves_takes_its_pattern_along(tmp_path: Path) -> None:
     assert 0.4 < inked[2] / inked[0] < 0.95
     assert inked == sorted(inked, reverse=True)
     movement = morph(tmp_path / "a.svg", tmp_path / "b.svg", pictures=True).prepared.movement
-    (part,) = (part for part in movement.parts if isinstance(part, LonePart))
+    (part,) = (part for part in movement.parts if part.only is not None)
     # As drawn, many pixels for one: resvg leaves seams between the tiles of a smaller pattern.
     fine = Image.fromarray(drawn(filled(STRIPES), 8 * SIZE[0], 8 * SIZE[1]), "RGBA")
     white = Image.alpha_composite(Image.new("RGBA", fine.size, "white"), fine).convert("RGB")

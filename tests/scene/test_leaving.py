@@ -9,10 +9,9 @@ import shapely
 import shapetween as st
 from shapetween.base.arrays import Floats
 from shapetween.model.drawing import Shape
-from shapetween.model.movement import Part
 from shapetween.model.paint import Colour
+from shapetween.model.part import Part
 from shapetween.scene.asked import Change
-from shapetween.scene.presence import LonePart
 from tests.scene.test_faults import drawn, seen
 
 ICON = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
@@ -337,7 +336,7 @@ def test_a_menus_middle_bar_goes_to_its_middle_and_soon(tmp_path: Path) -> None:
     menu = '<path d="M4 5h16"/><path d="M4 12h16"/><path d="M4 19h16"/>'
     cross = '<path d="M18 6 6 18"/><path d="m6 6 12 12"/>'
     found = lone(morph(tmp_path, menu, cross, ICON), arrives=False)
-    (bar,) = (part for part in found if isinstance(part, LonePart))
+    (bar,) = (part for part in found if part.only is not None)
     for t in (0.1, 0.3, 0.4):
         np.testing.assert_allclose(box(bar, t).mean(axis=0), [12, 12], atol=1e-6)
     assert bar.style(0.5).opacity == 0
@@ -359,7 +358,7 @@ def test_a_ring_as_an_area_and_one_as_a_line_become_each_other_as_areas(
     (wall,) = (
         part
         for part in morph(tmp_path, bubble, frame).prepared.movement.parts
-        if not isinstance(part, LonePart) and part.style(0.0).opacity == 1
+        if part.only is None and part.style(0.0).opacity == 1
     )
     for t in np.linspace(0, 1, 9):
         style = wall.style(float(t))

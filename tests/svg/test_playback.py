@@ -13,7 +13,7 @@ from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.timeline import Loop
 from tests.browser import Browser, chromium, difference
-from tests.movements import FormulaPart, circle, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, sample_chain, sample_movement, spin
 
 pytestmark = pytest.mark.browser
 
@@ -94,7 +94,7 @@ def test_paint_plays_as_the_frames_show_it(browser: Browser, first: Paint, last:
 def test_strokes_play_as_the_frames_show_them(browser: Browser) -> None:
     thin = Stroke(Colour(0, 0, 0), 2.0, dashes=(10.0, 4.0), dash_offset=3.0)
     thick = Stroke(STRIPES, 8.0, cap="round", join="bevel")
-    part = FormulaPart(
+    part = formula_part(
         circle(np.array([50.0, 50.0]), 30.0),
         spin(0.25),
         Style(None, thin, opacity=0.3),

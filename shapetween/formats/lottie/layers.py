@@ -8,7 +8,8 @@ from shapetween.formats.lottie.paints import paint_losses, painted, visible
 from shapetween.formats.lottie.properties import Json, fixed, moving, moving_values, short
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import plain_styles
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
+from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 

@@ -21,7 +21,7 @@ from shapetween.formats.module.styles import track_nodes
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.sampled import Sampled, enough_times, sampled
 from shapetween.formats.table import Segments, Written
-from shapetween.model.movement import Part
+from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.numbers import number
 

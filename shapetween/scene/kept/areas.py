@@ -15,6 +15,7 @@ from shapetween.boolean.chords import chords_of
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
 from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
 from shapetween.scene.kept.bars import Bar, bar_of
@@ -23,7 +24,6 @@ from shapetween.scene.kept.pieces import areas_of, overlay
 from shapetween.scene.kept.stretches import Snapped, snapped
 from shapetween.scene.kept.voids import lone_void, paired_voids, void_track
 from shapetween.scene.kept.wipes import InTurn
-from shapetween.scene.motion.tracks import Track
 
 if TYPE_CHECKING:
     import shapely
@@ -64,12 +64,12 @@ class KeptArea:
     Attributes
     ----------
     first, second : Item
-    tracks : tuple of Track
+    tracks : tuple of CurveTrack
     """
 
     first: Item
     second: Item
-    tracks: tuple[Track, ...]
+    tracks: tuple[CurveTrack, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -254,7 +254,7 @@ def _divides(looked: _Looked, reach: float) -> bool:
     return split_alike(whole, parts) is not None
 
 
-def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[Track, ...] | None:
+def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[CurveTrack, ...] | None:
     """Tracks of all that is kept, comes and goes."""
     kept, found = looked.items, looked.snapped
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]

@@ -9,12 +9,13 @@ import numpy as np
 from shapetween.base.arrays import Curves, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack
 from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.voids import lone_void
 from shapetween.scene.kept.wipes import Telescoped, Wiped
-from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def tracks_of_pieces(
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
     reach: float,
-) -> tuple[Track, ...] | None:
+) -> tuple[CurveTrack, ...] | None:
     """Tracks of what is kept, first its largest ring, and of all pieces.
 
     Parameters
@@ -82,7 +83,7 @@ def tracks_of_pieces(
 
     Returns
     -------
-    tuple of Track or None
+    tuple of CurveTrack or None
         None if what differs has rather moved.
     """
     import shapely
@@ -107,7 +108,7 @@ def tracks_of_pieces(
         return None
     solid = shapely.union_all([laid.kept, *(p.area for p in holes)])
     rings = sorted(laid.outlines(solid), key=lambda r: -round(abs(r.area) / laid.scale**2, 9))
-    tracks: list[Track] = [_blend(ring.curves, laid.at_last(ring)) for ring in rings]
+    tracks: list[CurveTrack] = [_blend(ring.curves, laid.at_last(ring)) for ring in rings]
     for bar, group in zip(bars, groups, strict=True):
         tracks += _along(bar, group, laid)
     tracks += [_at_contact(piece, laid) for piece in rest]
@@ -173,7 +174,7 @@ def _blend(source: Curves, target: Curves) -> Blend:
     return Blend(Pieces(source, target, True), np.stack([source[0, 0], target[0, 0]]))
 
 
-def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
+def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     """Pieces wiped as a bar is drawn, or undrawn."""
     import shapely
 
@@ -185,7 +186,7 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[Track]:
     return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == bar.comes) for p in group]
 
 
-def _at_contact(piece: Piece, laid: Overlay) -> Track:
+def _at_contact(piece: Piece, laid: Overlay) -> CurveTrack:
     """A piece that comes out of what it touches, or goes into it."""
     import shapely
 

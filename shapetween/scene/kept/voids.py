@@ -10,13 +10,14 @@ from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import signed_area
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.kept.bars import bar_of
 from shapetween.scene.kept.wipes import Against, Slot
 from shapetween.scene.motion.choose import Ends, open_track
 from shapetween.scene.motion.holes import Opening, matched_holes
-from shapetween.scene.motion.tracks import Blend, Track
+from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 from shapetween.scene.relations import in_common, pictures
 from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
@@ -109,7 +110,7 @@ def _stroke_of(item: Item) -> OutlinedStroke | None:
     return strokes[0]
 
 
-def void_track(first: Outline, second: Outline, scale: float) -> Track:
+def void_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
     """A hole that becomes another, run against what it lies in.
 
     Parameters
@@ -127,7 +128,7 @@ def void_track(first: Outline, second: Outline, scale: float) -> Track:
     return Against(track) if signed_area(start) > 0 else track
 
 
-def lone_void(ring: Outline, closes: bool) -> Track:
+def lone_void(ring: Outline, closes: bool) -> CurveTrack:
     """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn.
 
     Parameters
@@ -146,7 +147,7 @@ def lone_void(ring: Outline, closes: bool) -> Track:
     return Slot(begun, void, closes)
 
 
-def _as_stroke(one: Item, other: Item, scale: float) -> Track | None:
+def _as_stroke(one: Item, other: Item, scale: float) -> CurveTrack | None:
     """Two holes that are outlined strokes by their lines; None of others."""
     lines = []
     for item in (one, other):

@@ -9,8 +9,9 @@ from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
+from shapetween.model.part import Leaf
 from shapetween.scene.motion.holes import opened
-from shapetween.scene.motion.tracks import Meshless, OfTrack
+from shapetween.scene.motion.tracks import OfTrack
 from shapetween.scene.presence import smooth_step
 
 __all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped"]
@@ -24,7 +25,7 @@ BISECTIONS = 54
 
 
 @dataclass(frozen=True, eq=False)
-class Wiped(Meshless):
+class Wiped(Leaf):
     """Rings of which only what lies on one side of a moving straight line is left.
 
     Attributes
@@ -170,7 +171,7 @@ def _crossing(place: Floats, limit: Floats, rising: Mask) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Slot(Meshless):
+class Slot(Leaf):
     """A hole that opens round at one end and is drawn out from there, or does so backwards.
 
     Attributes
@@ -206,7 +207,7 @@ class Slot(Meshless):
 
 
 @dataclass(frozen=True, eq=False)
-class Telescoped(Meshless):
+class Telescoped(Leaf):
     """Rings that slide into what they stand on: no point goes below their foot.
 
     Attributes

@@ -8,7 +8,7 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
 from shapetween.match.moments import area_moments
-from shapetween.scene.motion.tracks import Track
+from shapetween.model.part import CurveTrack
 
 __all__ = ["Calm", "asks_to_turn", "calm_of"]
 
@@ -62,7 +62,7 @@ class Calm:
         return self.plain and self.waves <= CALM
 
 
-def calm_of(track: Track) -> Calm:
+def calm_of(track: CurveTrack) -> Calm:
     """How calmly a track's outer ring goes."""
     count = track.counts[0]
     curves = track.curves(TURNING)[:, :count]

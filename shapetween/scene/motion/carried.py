@@ -8,7 +8,8 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.outline import Outline
-from shapetween.scene.motion.tracks import Meshless, OfPieces, Track
+from shapetween.model.part import CurveTrack
+from shapetween.scene.motion.tracks import OfPieces, OfTrack
 from shapetween.scene.places import Places
 
 __all__ = ["Carried", "Follower", "Tie", "Tied"]
@@ -25,13 +26,13 @@ class Carried(OfPieces):
     ----------
     pieces : Pieces
         The line's, at both ends.
-    host : Track
+    host : CurveTrack
         Of what it runs along.
     scale : float
         Of the drawing.
     """
 
-    host: Track
+    host: CurveTrack
     scale: float
 
     @cached_property
@@ -102,17 +103,17 @@ class Tie:
     ----------
     last : bool
         Which end.
-    host : Track
+    host : CurveTrack
     places : ((int, float), (int, float))
         Curve and parameter of the host where it lies at the start and at the end.
     """
 
     last: bool
-    host: Track
+    host: CurveTrack
     places: tuple[tuple[int, float], tuple[int, float]]
 
     @classmethod
-    def of(cls, line: Track, last: bool, host: Track) -> "Tie":
+    def of(cls, line: CurveTrack, last: bool, host: CurveTrack) -> "Tie":
         """Tied where it lies."""
         ends = np.array([0.0, 1.0])
         own = line.curves(ends)
@@ -145,38 +146,27 @@ class Tie:
         return np.asarray(along)
 
 
-def _first_ring(curves: Curves, track: Track) -> Curves:
+def _first_ring(curves: Curves, track: CurveTrack) -> Curves:
     return curves[: track.counts[0]]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Tied(Meshless):
+@dataclass(frozen=True, eq=False)
+class Tied(OfTrack):
     """A line whose ends follow what they lie on; the pull fades to the other end.
+
+    Its track is one open line.
 
     Attributes
     ----------
-    line : Track
-        One open line.
     ties : tuple of Tie
     """
 
-    line: Track
     ties: tuple[Tie, ...]
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """It is one line."""
-        return self.line.counts
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """It is open."""
-        return self.line.closed
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2)."""
-        curves = self.line.curves(t)
-        ends = self.line.curves(np.array([0.0, 1.0]))
+        curves = self.track.curves(t)
+        ends = self.track.curves(np.array([0.0, 1.0]))
         share = np.broadcast_to(
             (np.arange(curves.shape[1])[:, None] + np.linspace(0, 1, 4)) / curves.shape[1],
             curves.shape[1:3],

@@ -13,6 +13,7 @@ from shapetween.fill.settings import FillSettings
 from shapetween.geometry.polygon import cross
 from shapetween.match.register import register
 from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
@@ -22,7 +23,7 @@ from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
-from shapetween.scene.motion.tracks import Blend, Elastic, Track
+from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.torn import folds
 
@@ -83,7 +84,7 @@ class Ends:
 
 def tracks_of(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
-) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
     """Tracks of all rings of a pair, and warnings."""
     first, second = ends.first, ends.second
     if settings.meshed and first.filled and second.filled:
@@ -142,7 +143,7 @@ def _blend(pieces: Pieces, first: Item, second: Item, turn: float) -> Blend:
 
 def _closed(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
-) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
     first, second = ends.first, ends.second
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     one, other = ends.forms
@@ -176,7 +177,7 @@ def _closed(
     return by_engine, said
 
 
-def corner_tracks(first: Item, second: Item) -> tuple[Track, ...]:
+def corner_tracks(first: Item, second: Item) -> tuple[CurveTrack, ...]:
     """An area and its holes by their corners alone."""
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     found = _blend(cut_alike(*places, *even_knots(*places)), first, second, 0.0)
@@ -210,14 +211,14 @@ def is_blob(item: Item) -> bool:
 
 def elastic(
     ends: Ends, settings: FillSettings, names: tuple[str, str]
-) -> tuple[tuple[Track, ...], tuple[Notice, ...]]:
+) -> tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]:
     """The track of a pair of areas by the outline engine."""
     shapes = [
         item.replaced((item.outer.clockwise(), *item.holes)).as_shape
         for item in (ends.first, ends.second)
     ]
     part, said = morph_fill(shapes[0], shapes[1], settings, names, alone=False)
-    return (Elastic(part),), said
+    return (part,), said
 
 
 def _sound(track: Blend) -> bool:

@@ -6,8 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
+from shapetween.base.ends import End
+from shapetween.model.part import CurveTrack
 from shapetween.scene.motion.carried import Follower
-from shapetween.scene.motion.tracks import Track
 from shapetween.scene.places import Pieces
 
 __all__ = ["Fold"]
@@ -21,22 +22,22 @@ class Fold:
     ----------
     pieces : Pieces
         The line's, and what each lies on at last.
-    host : Track
+    host : CurveTrack
         Of what it hangs on.
-    end : float
-        When the line is whole: 0 or 1.
+    end : End
+        The end at which the line exists.
     scale : float
         Of the drawing.
     """
 
     pieces: Pieces
-    host: Track
-    end: float
+    host: CurveTrack
+    end: End
     scale: float
 
     @cached_property
     def _followers(self) -> tuple[Follower, Follower]:
-        home = self.host.curves(np.array([self.end]))[0]
+        home = self.host.curves(np.array([float(self.end)]))[0]
         return (
             Follower.of(home, self.pieces.source, self.scale),
             Follower.of(home, self.pieces.target, self.scale),

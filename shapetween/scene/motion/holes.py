@@ -8,12 +8,13 @@ import numpy as np
 from shapetween.base.arrays import Affine, Curves, Floats, Points
 from shapetween.geometry.affine import mapped
 from shapetween.geometry.assignment import cheapest_pairs
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import ring_knots
 from shapetween.scene.motion.boxes import box_blend
 from shapetween.scene.motion.pinned import pinned_pieces
-from shapetween.scene.motion.tracks import Blend, Meshless, Track
+from shapetween.scene.motion.tracks import Blend, OfTrack
 from shapetween.scene.places import Pieces, Places, cut_alike
 
 __all__ = ["Opening", "hole_tracks", "matched_holes", "opened"]
@@ -36,7 +37,7 @@ EYES_APART = 0.8
 
 def hole_tracks(
     first: Item, second: Item, outer: Blend, pins: Mapping[tuple[int, int], Points] | None = None
-) -> tuple[Track, ...]:
+) -> tuple[CurveTrack, ...]:
     """Holes to the nearest ones, or closing where they are.
 
     Parameters
@@ -61,7 +62,7 @@ def hole_tracks(
     rest = [[own[k] for k in some] for own, some in zip(holes, free, strict=True)]
     pairs = [(free[0][i], free[1][j]) for i, j in _nearest(rest[0], rest[1], forth, second)]
     pairs = sorted([*pairs, *pinned])
-    tracks: list[Track] = [
+    tracks: list[CurveTrack] = [
         _in_frame(matched_holes(holes[0][i], holes[1][j], pinned.get((i, j))), outer)
         for i, j in pairs
     ]
@@ -76,32 +77,21 @@ def hole_tracks(
 
 
 @dataclass(frozen=True, eq=False)
-class Opening(Meshless):
+class Opening(OfTrack):
     """A hole that opens about its middle, soon at a decent size, or closes.
+
+    Its track is the hole's as if that were open all the time.
 
     Attributes
     ----------
-    whole : Track
-        The hole if it were open all the time.
     closes : bool
     """
 
-    whole: Track
     closes: bool
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """As the hole's."""
-        return self.whole.counts
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """As the hole's."""
-        return self.whole.closed
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        curves = self.whole.curves(t)
+        curves = self.track.curves(t)
         size = 1 - (1 - opened(t, self.closes)) ** 2
         middle = (curves.min(axis=(1, 2)) + curves.max(axis=(1, 2))) / 2
         middle = middle[:, None, None]

@@ -10,10 +10,11 @@ from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.base.notices import Notice
 from shapetween.geometry.bezier import line_curves, sub_curves
 from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import Ends
-from shapetween.scene.motion.tracks import Meshless, Track
+from shapetween.scene.motion.tracks import OfTrack
 from shapetween.scene.places import Places
 
 __all__ = ["Seamed", "seamed_tracks"]
@@ -22,17 +23,17 @@ __all__ = ["Seamed", "seamed_tracks"]
 #: shorter, and it is there at once.
 DRAWN = 0.4
 
-Found: TypeAlias = tuple[tuple[Track, ...], tuple[Notice, ...]]
+Found: TypeAlias = tuple[tuple[CurveTrack, ...], tuple[Notice, ...]]
 
 
 @dataclass(frozen=True, eq=False)
-class Seamed(Meshless):
+class Seamed(OfTrack):
     """A ring of which a part is drawn as time goes on, from both its ends to its middle.
+
+    Its track is one closed ring.
 
     Attributes
     ----------
-    ring : Track
-        One closed ring.
     middle : (int, float)
         Curve and parameter of the seam's middle.
     line : Places
@@ -43,7 +44,6 @@ class Seamed(Meshless):
         Whether the seam is wanting at the end instead of at the start.
     """
 
-    ring: Track
     middle: tuple[int, float]
     line: Places
     ends: tuple[float, float]
@@ -52,7 +52,7 @@ class Seamed(Meshless):
     @property
     def counts(self) -> tuple[int, ...]:
         """One curve more than the ring has, as it is cut in one."""
-        return (self.ring.counts[0] + 1,)
+        return (self.track.counts[0] + 1,)
 
     @property
     def closed(self) -> tuple[bool, ...]:
@@ -61,7 +61,7 @@ class Seamed(Meshless):
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
-        whole = _cut_at(self.ring.curves(t), *self.middle)
+        whole = _cut_at(self.track.curves(t), *self.middle)
         count = whole.shape[1]
         drawn = np.clip((1 - t if self.last else t) / DRAWN, 0.0, 1.0)
         low, high = self.ends

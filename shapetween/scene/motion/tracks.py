@@ -1,66 +1,26 @@
 """Tracks: where a ring's curves are through time."""
 
-from dataclasses import dataclass
+from abc import abstractmethod
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Protocol
 
 import numpy as np
 
 from shapetween.base.arrays import Affine, Curves, Floats, Points
-from shapetween.fill.parts import FilledPart
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.rotation import rotations
+from shapetween.model.part import Area, Change, CurveTrack, Leaf
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = [
-    "Blend",
-    "Elastic",
-    "Frame",
-    "Meshless",
-    "Mirrored",
-    "OfPieces",
-    "OfTrack",
-    "Shared",
-    "Track",
-]
+__all__ = ["Blend", "Frame", "Framed", "Mirrored", "OfPieces", "OfTrack", "Shared"]
 
 #: Least width of a card that turns over, as a share of its own: it is seen on its edge, not gone.
 EDGE = 0.08
 
 
-class Track(Protocol):
-    """Rings through time."""
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """Which of the rings are closed."""
-
-    @property
-    def areas(self) -> tuple[FilledPart, ...]:
-        """What of it the outline engine moves by meshes."""
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-
-
-class Meshless:
-    """What moves some simpler way than by meshes."""
-
-    __slots__ = ()
-
-    @property
-    def areas(self) -> tuple[FilledPart, ...]:
-        """Nothing of it has a mesh."""
-        return ()
-
-
 @dataclass(frozen=True, eq=False)
-class OfPieces(Meshless):
+class OfPieces(Leaf):
     """One ring or line made of pieces that become each other."""
 
     pieces: Pieces
@@ -121,37 +81,6 @@ class Blend(OfPieces):
         result[t == 0] = self.pieces.source
         result[t == 1] = self.pieces.target
         return np.asarray(result)
-
-
-@dataclass(frozen=True, eq=False)
-class Elastic:
-    """A region and its holes moved by the outline engine.
-
-    Attributes
-    ----------
-    part : FilledPart
-    """
-
-    part: FilledPart
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return self.part.rings
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """All of them."""
-        return self.part.closed
-
-    @property
-    def areas(self) -> tuple[FilledPart, ...]:
-        """All of it."""
-        return (self.part,)
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        return self.part.curves(t)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -216,15 +145,15 @@ class Frame:
 
 
 @dataclass(frozen=True, eq=False)
-class OfTrack(Meshless):
-    """Rings that are those of a track, moved in another way.
+class OfTrack:
+    """What a track becomes that is moved in another way besides.
 
     Attributes
     ----------
-    track : Track
+    track : CurveTrack
     """
 
-    track: Track
+    track: CurveTrack
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -235,6 +164,38 @@ class OfTrack(Meshless):
     def closed(self) -> tuple[bool, ...]:
         """As the track's."""
         return self.track.closed
+
+    @property
+    def areas(self) -> tuple[Area, ...]:
+        """None: what meshes move is moved on."""
+        return ()
+
+    @abstractmethod
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+
+    def following(self, change: Change) -> CurveTrack:
+        """The same of the track changed, itself changed."""
+        return change(replace(self, track=self.track.following(change)))
+
+
+@dataclass(frozen=True, eq=False)
+class Framed(OfTrack):
+    """A track in the frame of the whole drawing.
+
+    Attributes
+    ----------
+    frame : Frame
+    """
+
+    frame: Frame
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2); the track's own at 0."""
+        own = self.track.curves(t)
+        result = self.frame.carried(own, t)
+        result[t == 0] = own[t == 0]
+        return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -270,10 +231,10 @@ class Shared:
 
     Parameters
     ----------
-    track : Track
+    track : CurveTrack
     """
 
-    def __init__(self, track: Track) -> None:
+    def __init__(self, track: CurveTrack) -> None:
         self.track = track
         self.counts, self.closed, self.areas = track.counts, track.closed, track.areas
         self._known: tuple[bytes, Curves] | None = None
@@ -286,3 +247,7 @@ class Shared:
             found.setflags(write=False)
             self._known = key, found
         return self._known[1]
+
+    def following(self, change: Change) -> CurveTrack:
+        """The same of the track changed, itself changed."""
+        return change(Shared(self.track.following(change)))

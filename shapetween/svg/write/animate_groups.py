@@ -9,8 +9,8 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats
 from shapetween.model.drawing import Shape
 from shapetween.model.effects import Filter, Group, Mask, Primitive
-from shapetween.model.movement import Part
 from shapetween.model.paint import Style
+from shapetween.model.part import Leaf, Part
 from shapetween.svg.write.animate import animate, animate_choice, animate_number
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import GradientDefs, alpha_text
@@ -215,7 +215,10 @@ def _mask(
     shares = np.array([group.share for group in track])
     fades = bool((shares < 1).any())
     mask = track[0].masks[index]
-    parts = [_MaskPart(track, times, index, k) for k in range(len(mask.shapes))]
+    parts = []
+    for k in range(len(mask.shapes)):
+        shapes = tuple(group.masks[index].shapes[k] for group in track)
+        parts.append(Part("", (_MaskTrack(shapes, times),), _MaskPaint(shapes, times)))
     if mask.plain and not fades:
         element, url = defs.reserve("clipPath", {})
         for part in parts:
@@ -231,35 +234,26 @@ def _mask(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _MaskPart:
-    """One shape of a mask through time, on straight lines between the samples."""
+class _MaskTrack(Leaf):
+    """The rings of one shape of a mask, on straight lines between the samples."""
 
-    track: Sequence[Group]
+    shapes: tuple[Shape, ...]
     times: Floats
-    mask: int
-    shape: int
-    name: str = ""
-
-    def _at(self, sample: int) -> Shape:
-        return self.track[sample].masks[self.mask].shapes[self.shape]
 
     @property
-    def rings(self) -> tuple[int, ...]:
+    def counts(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
-        return tuple(len(ring.curves) for ring in self._at(0).rings)
+        return tuple(len(ring.curves) for ring in self.shapes[0].rings)
 
     @property
     def closed(self) -> tuple[bool, ...]:
         """Which of the rings are closed."""
-        return tuple(ring.closed for ring in self._at(0).rings)
+        return tuple(ring.closed for ring in self.shapes[0].rings)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         stack = np.stack(
-            [
-                np.concatenate([ring.curves for ring in self._at(k).rings])
-                for k in range(len(self.track))
-            ]
+            [np.concatenate([ring.curves for ring in shape.rings]) for shape in self.shapes]
         )
         place = np.interp(t, self.times, np.arange(len(self.times)))
         low = np.minimum(place.astype(np.intp), len(self.times) - 1)
@@ -267,9 +261,17 @@ class _MaskPart:
         share = (place - low)[:, None, None, None]
         return np.asarray((1 - share) * stack[low] + share * stack[high])
 
-    def style(self, t: float) -> Style:
-        """Paint at one time; groups within masks stay as they are."""
-        return self._at(int(np.abs(self.times - t).argmin())).style
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _MaskPaint:
+    """The paint of one shape of a mask; groups within masks stay as they are."""
+
+    shapes: tuple[Shape, ...]
+    times: Floats
+
+    def at(self, t: float) -> Style:
+        """How it is painted at one time."""
+        return self.shapes[int(np.abs(self.times - t).argmin())].style
 
 
 def _animate_filter(

@@ -12,8 +12,8 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.model.blend import faded
-from shapetween.model.movement import Part
 from shapetween.model.paint import Pattern, Style
+from shapetween.model.part import Part
 from shapetween.svg.write.animate import animate_number, animate_transform
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import ALPHA_DECIMALS, GradientDefs, add_pattern, alpha_text

@@ -12,7 +12,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.geometry.merging import merged_curves
-from shapetween.model.movement import Part
+from shapetween.model.part import Part
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
 from shapetween.timing.sums import EasingSum, sum_of_easings

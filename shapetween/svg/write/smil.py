@@ -13,7 +13,8 @@ from typing import Literal
 import numpy as np
 
 from shapetween.model.drawing import Shape
-from shapetween.model.movement import Movement, Part
+from shapetween.model.movement import Movement
+from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate import animate_shown
 from shapetween.svg.write.animate_groups import add_parts

@@ -21,7 +21,7 @@ from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.easing import easing_function
 from shapetween.timing.timeline import Loop
-from tests.movements import FormulaPart, circle, rest, sample_chain, sample_movement, spin
+from tests.movements import circle, formula_part, rest, sample_chain, sample_movement, spin
 from tests.smil import SVG, commands_of, curves_of, path_at
 
 STOPS = (Stop(0.0, Colour(1, 1, 0)), Stop(1.0, Colour(0, 0, 0.5)))
@@ -56,7 +56,7 @@ def test_the_browsers_in_betweens_stay_within_a_quarter_of_a_pixel(
     size: float, turns: float, easing: str, loop: Loop, keyframes: Literal["auto"] | int
 ) -> None:
     curves = circle(np.array([0.5, 0.4]), 0.3) * (size, size * 0.5)
-    part = FormulaPart(curves, spin(turns, (0.2 * size, 0.1 * size)))
+    part = formula_part(curves, spin(turns, (0.2 * size, 0.1 * size)))
     movement = Movement((part,), Box(0, 0, size, size))
     text = smil_svg(movement, duration=1.0, easing=easing, loop=loop, keyframes=keyframes)
     (path,) = moving_paths(ET.fromstring(text))
@@ -228,7 +228,7 @@ def test_names_are_escaped_and_ids_unique() -> None:
     curves = circle(np.array([5.0, 5.0]), 3.0)
     names = ["a", "a", 'x"<&>y', "two words", "", "g\0\x01é", "a"]
     styles = (Style(STRIPES), Style(replace(STRIPES, points=(0, 0, 9, 9))))
-    parts = tuple(FormulaPart(curves, rest, *styles, name) for name in names)
+    parts = tuple(formula_part(curves, rest, *styles, name) for name in names)
     movement = Movement(parts, Box(0, 0, 10, 10), '1 < 2 & "3" \0')
     for text in (smil_svg(movement), frame_svg(movement.at(np.array([0.5]))[0])):
         root = ET.fromstring(text)
@@ -295,7 +295,7 @@ def test_frames_hold_paths_only() -> None:
 
 def test_precision_is_that_of_the_file() -> None:
     curves = circle(np.array([1 / 3, 1 / 3]), 0.1)
-    movement = Movement((FormulaPart(curves, spin(0.1)),), Box(0, 0, 1, 1))
+    movement = Movement((formula_part(curves, spin(0.1)),), Box(0, 0, 1, 1))
     for precision in (2, 6):
         text = smil_svg(movement, precision=precision)
         d = moving_paths(ET.fromstring(text))[0].attrib["d"]
@@ -305,7 +305,7 @@ def test_precision_is_that_of_the_file() -> None:
 def test_the_twin_says_once_what_is_painted_alike() -> None:
     stroke = Style(None, Stroke(Colour(1, 0, 0), 2.0, cap="round"))
     parts = tuple(
-        FormulaPart(circle(np.array([x, 50.0]), 9.0), spin(0.3, (5, 0)), stroke, stroke)
+        formula_part(circle(np.array([x, 50.0]), 9.0), spin(0.3, (5, 0)), stroke, stroke)
         for x in (30.0, 60.0)
     )
     text = smil_svg(Movement(parts, Box(0, 0, 100, 100)))

@@ -1,53 +1,60 @@
-"""A filled shape through the movement: bodies that move by themselves, and what is attached."""
+"""A fill through the movement: bodies that move by themselves, and what is attached to them."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.deform.check import crossing_frames
+from shapetween.deform.deformation import Deformation
 from shapetween.fill.appearing import AppearingRegion
 from shapetween.fill.small import BlendedCurve
-from shapetween.model.blend import blend
-from shapetween.model.paint import Style
-from shapetween.model.whole import WholeMotion
+from shapetween.model.part import Change, CurveTrack
+from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.outline.body import Carried
 
-__all__ = ["FilledPart"]
+__all__ = ["FillTrack", "fills_of"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FilledPart:
-    """A filled shape: bodies that move, and rings that open and close on them.
+class FillTrack:
+    """The rings of a fill: those of bodies that move, and what opens and closes on them.
 
     Attributes
     ----------
     name : str
-    styles : (Style, Style)
+        The shape's.
     bodies : tuple of Carried
     appearing : tuple of AppearingRegion
     small : tuple of BlendedCurve
         Pieces too small for meshes, as closed lines.
-    motion : WholeMotion or None
-        What gradients follow.
     """
 
     name: str
-    styles: tuple[Style, Style]
     bodies: tuple[Carried, ...]
     appearing: tuple[AppearingRegion, ...] = ()
     small: tuple[BlendedCurve, ...] = ()
-    motion: WholeMotion | None = None
 
     @property
-    def rings(self) -> tuple[int, ...]:
+    def counts(self) -> tuple[int, ...]:
         """Number of curves in each ring."""
         return tuple(n for track in self._tracks for n in track.counts)
 
     @property
     def closed(self) -> tuple[bool, ...]:
         """All of the rings are closed."""
-        return (True,) * len(self.rings)
+        return (True,) * len(self.counts)
+
+    @property
+    def areas(self) -> tuple["FillTrack", ...]:
+        """All of it."""
+        return (self,)
+
+    @property
+    def deformations(self) -> tuple[Deformation, ...]:
+        """What moves the bodies."""
+        return tuple(body.path for body in self.bodies)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
@@ -71,10 +78,21 @@ class FilledPart:
         drawn = [region.curves(t, solved.get(id(region.on))) for region in self.appearing]
         return drawn + [curve.curves(t) for curve in self.small]
 
-    def style(self, t: float) -> Style:
-        """Paint at one time."""
-        return blend(*self.styles, t, self.motion)
+    def following(self, change: Change) -> CurveTrack:
+        """Itself, changed."""
+        return change(self)
+
+    def whole_motion(self) -> WholeMotion | None:
+        """The motion of all bodies as one, which gradients follow."""
+        inside, areas = zip(*(body.inside(MOTION_TIMES) for body in self.bodies), strict=True)
+        return WholeMotion.of(np.concatenate(inside, axis=1), np.concatenate(areas))
 
     @property
     def _tracks(self) -> tuple[Carried | AppearingRegion | BlendedCurve, ...]:
         return (*self.bodies, *self.appearing, *self.small)
+
+
+def fills_of(tracks: Iterable[CurveTrack]) -> tuple[FillTrack, ...]:
+    """The fills that meshes move among what tracks are made of."""
+    areas = (area for track in tracks for area in track.areas)
+    return tuple(area for area in areas if isinstance(area, FillTrack))
