@@ -13,30 +13,30 @@ __all__ = ["band_path"]
 def band_path(
     cells: tuple[Index, Index], cost: Floats, reward: Floats, fixed: Index, count: int
 ) -> tuple[Index, Index] | None:
-    """Cheapest path from station 0 of both rings round to it again.
+    """Cheapest path from sample 0 of both rings round to it again.
 
     Parameters
     ----------
     cells : two (N,) intp
-        Stations of the first and of the second ring that may be matched, sorted, station 0 of
+        Samples of the first and of the second ring that may be matched, sorted, sample 0 of
         both among them.
     cost, reward : (N,) float64
         As for `cyclic_paths`, of the cells.
     fixed : (k,) intp
-        Stations of the first ring that must be matched with the same of the second, 0 among them.
+        Samples of the first ring that must be matched with the same of the second, 0 among them.
     count : int
-        Stations of each ring.
+        Samples of each ring.
 
     Returns
     -------
     rows, columns : (K,) intp
-        Stations that are matched, both strictly increasing, from 0 to `count`. None if no path
+        Samples that are matched, both strictly increasing, from 0 to `count`. None if no path
         keeps to the cells.
     """
-    station = np.zeros(count, dtype=bool)
-    station[fixed] = True
-    fits = (cells[0] == cells[1]) | ~(station[cells[0]] | station[cells[1]])
-    # Of station 0 only the cell of both is left, the first one. There the path ends.
+    sample = np.zeros(count, dtype=bool)
+    sample[fixed] = True
+    fits = (cells[0] == cells[1]) | ~(sample[cells[0]] | sample[cells[1]])
+    # Of sample 0 only the cell of both is left, the first one. There the path ends.
     order = np.roll(np.flatnonzero(fits), -1)
     rows, columns = cells[0][order], cells[1][order]
     # Rows and columns of no path before the first ones, so that all moves may be looked up.

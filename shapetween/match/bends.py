@@ -4,7 +4,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.match.candidate import Candidate
-from shapetween.match.costs import Prepared, stations
+from shapetween.match.costs import Prepared, sample_features
 
 __all__ = ["bends_alike", "plainly_the_same"]
 
@@ -26,7 +26,7 @@ def bends_alike(a: Prepared, b: Prepared, candidate: Candidate) -> float:
     knots = (candidate.a - candidate.a[0] + candidate.b - candidate.b[0]) / 2
     even = np.arange(PLACES) / PLACES
     turns = [
-        stations(side, np.interp(even, knots, at)).turns[:FINEST]
+        sample_features(side, np.interp(even, knots, at)).turns[:FINEST]
         for side, at in ((a, candidate.a), (b, candidate.b))
     ]
     first, second, both = _sums(turns[0], turns[0]), _sums(turns[1], turns[1]), _sums(*turns)

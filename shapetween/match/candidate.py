@@ -86,6 +86,6 @@ def away(candidate: Candidate, a: Floats, b: Floats) -> Floats:
 
 
 def around(layout: Layout) -> tuple[Floats, Floats]:
-    """Places of the stations once round the first outline, and twice round the second."""
+    """Places of the samples once round the first outline, and twice round the second."""
     once = np.append(layout.a, layout.a[0] + 1)
     return once, np.concatenate([layout.b, layout.b + 1, layout.b[:1] + 2])

@@ -10,10 +10,11 @@ __all__ = ["confidence_of", "doubt"]
 
 #: Weight of the expected distance to the other candidates beside the cost. Both tell as much: on
 #: 281 hand-matched pairs each alone puts a right one before a wrong one in 80 of 100.
-STRAY = 20.0
+DISTANCE_WEIGHT = 20.0
 
 #: How much likelier a candidate is that costs less: this power of the ratio; what costs less than
-#: `LEAST_COST` costs nothing worth telling. And how far astray a candidate counts at most.
+#: `LEAST_COST` costs nothing worth telling. And the greatest
+#: distance of a candidate that counts.
 LIKELIER, LEAST_COST, FARTHEST = 8.0, 0.02, 0.1
 
 #: Doubt up to which a matching is sure, and likely: of the hand-matched pairs 5 in 100 of the sure
@@ -32,9 +33,9 @@ def doubt(costs: Sequence[float], distances: Sequence[float]) -> float:
     distances : sequence of float
         Mean distance of each from the first, as a share of the length.
     """
-    worth = np.maximum(np.array(costs), LEAST_COST) ** -LIKELIER
-    astray = np.minimum(np.array(distances), FARTHEST)
-    return float(costs[0] + STRAY * (worth * astray).sum() / worth.sum())
+    likelihoods = np.maximum(np.array(costs), LEAST_COST) ** -LIKELIER
+    residuals = np.minimum(np.array(distances), FARTHEST)
+    return float(costs[0] + DISTANCE_WEIGHT * (likelihoods * residuals).sum() / likelihoods.sum())
 
 
 def confidence_of(value: float) -> Confidence:

@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
-from shapetween.match.features import SEEN_STEP, Features, contexts, describe, unit
+from shapetween.match.features import CONTEXT_STEP, Features, contexts, describe, unit
 from shapetween.match.sampling import SAMPLES, Samples, sample
 from shapetween.match.symmetry import Axes, mirror_axes
 from shapetween.match.vertices import Vertices, salient_vertices
@@ -19,16 +19,16 @@ from shapetween.model.outline import Outline
 
 __all__ = [
     "Cells",
-    "Looks",
     "Prepared",
-    "Stations",
+    "SampleFeatures",
+    "UprightFeatures",
     "all_cells",
     "intrinsic_cost",
     "likeness_of_vertices",
-    "looks",
     "prepare",
-    "stations",
+    "sample_features",
     "upright_cost",
+    "upright_features",
 ]
 
 #: Least medial radius told from 0, in roots of the area.
@@ -57,7 +57,7 @@ FAR = 700.0
 
 
 Cells: TypeAlias = tuple[Index, Index]
-"""Pairs of stations of two outlines, of shapes that broadcast."""
+"""Pairs of samples of two outlines, of shapes that broadcast."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,15 +83,15 @@ class Prepared:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stations:
-    """Places of an outline that the matching is made of, with what is seen from them.
+class SampleFeatures:
+    """Places of an outline that the matching is made of, with their features.
 
     Attributes
     ----------
     points, tangents, apexes : (n, 2) float64
     turns : (5, n) float64
     inside, outside : (n,) float64
-    seen : (m, 2) float64
+    surroundings : (m, 2) float64
         Points of the whole outline.
     """
 
@@ -101,10 +101,10 @@ class Stations:
     turns: Floats
     inside: Floats
     outside: Floats
-    seen: Points
+    surroundings: Points
 
-    def turned(self, angle: float) -> "Stations":
-        """The same stations of the outline turned by an angle."""
+    def turned(self, angle: float) -> "SampleFeatures":
+        """The same samples of the outline turned by an angle."""
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, s], [-s, c]])
         return replace(
@@ -112,13 +112,13 @@ class Stations:
             points=self.points @ turn,
             tangents=self.tangents @ turn,
             apexes=self.apexes @ turn,
-            seen=self.seen @ turn,
+            surroundings=self.surroundings @ turn,
         )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Looks:
-    """What the comparison as drawn sees of stations.
+class UprightFeatures:
+    """Features of samples in the frame as drawn.
 
     Attributes
     ----------
@@ -142,8 +142,8 @@ def prepare(outline: Outline) -> Prepared:
     return Prepared(samples, describe(points), salient_vertices(points), mirror_axes(points))
 
 
-def stations(prepared: Prepared, places: Floats) -> Stations:
-    """Stations at fractions of the length from the canonical start, of any turn."""
+def sample_features(prepared: Prepared, places: Floats) -> SampleFeatures:
+    """Samples at fractions of the length from the canonical start, of any turn."""
     points, features = prepared.samples.points, prepared.features
     index = places * SAMPLES
     low = np.floor(index)
@@ -161,40 +161,43 @@ def stations(prepared: Prepared, places: Floats) -> Stations:
         ]
     )
     read = rows.take(first, axis=1) * (1 - share) + rows.take(second, axis=1) * share
-    return Stations(
+    return SampleFeatures(
         points=read[:2].T,
         tangents=unit(read[2:4].T),
         apexes=read[4:6].T,
         inside=read[6],
         outside=read[7],
         turns=read[8:],
-        seen=points[::SEEN_STEP],
+        surroundings=points[::CONTEXT_STEP],
     )
 
 
-def looks(stations: Stations) -> Looks:
-    """What the comparison as drawn sees of stations."""
-    return Looks(
-        turns=stations.turns[3:],
-        spread=_even_spread(stations).T,
-        ranks=_ranks(stations),
-        tangents=stations.tangents,
-        around=contexts(stations.points, stations.seen),
+def upright_features(samples: SampleFeatures) -> UprightFeatures:
+    """Features of samples in the frame as drawn."""
+    return UprightFeatures(
+        turns=samples.turns[3:],
+        spread=_even_spread(samples).T,
+        ranks=_ranks(samples),
+        tangents=samples.tangents,
+        around=contexts(samples.points, samples.surroundings),
     )
 
 
-def intrinsic_cost(a: Stations, b: Stations, cells: Cells) -> Floats:
-    """Unlikeness of pairs of stations that no turning of either outline changes, from 0 to 1."""
+def intrinsic_cost(a: SampleFeatures, b: SampleFeatures, cells: Cells) -> Floats:
+    """Unlikeness of pairs of samples that no turning of either outline changes, from 0 to 1."""
     turns = _square_gaps(a.turns, b.turns, cells) / len(a.turns)
-    around = contexts(a.points, a.seen, a.tangents), contexts(b.points, b.seen, b.tangents)
+    around = (
+        contexts(a.points, a.surroundings, a.tangents),
+        contexts(b.points, b.surroundings, b.tangents),
+    )
     inside = _square_gaps(_log_radius(a.inside), _log_radius(b.inside), cells)
     outside = _square_gaps(_log_radius(a.outside), _log_radius(b.outside), cells)
     thick = 0.2 * (0.5 * inside + 0.25 * outside)
     return _saturated(0.5 * turns + 2 * _unlikeness(*around, cells) + thick)
 
 
-def upright_cost(a: Looks, b: Looks, cells: Cells) -> Floats:
-    """Unlikeness of pairs of stations in the frame as drawn, from 0 to `MOST_UNLIKE`.
+def upright_cost(a: UprightFeatures, b: UprightFeatures, cells: Cells) -> Floats:
+    """Unlikeness of pairs of samples in the frame as drawn, from 0 to `MOST_UNLIKE`.
 
     Positions count twice: in roots of the area, and by rank. By rank feet stand on the ground in a
     tall shape as in a low one, so height counts more than side.
@@ -207,18 +210,18 @@ def upright_cost(a: Looks, b: Looks, cells: Cells) -> Floats:
     return _saturated(0.6 * turns + 0.25 * (away + ranks + askew) + around, MOST_UNLIKE)
 
 
-def likeness_of_vertices(a: Stations, b: Stations) -> Floats:
+def likeness_of_vertices(a: SampleFeatures, b: SampleFeatures) -> Floats:
     """Likeness of salient vertices in the frame as drawn, (n, m): from 0, strangers, to 1."""
     cells = all_cells(len(a.points), len(b.points))
     away = _square_gaps(_even_spread(a).T, _even_spread(b).T, cells)
-    around = contexts(a.points, a.seen), contexts(b.points, b.seen)
+    around = contexts(a.points, a.surroundings), contexts(b.points, b.surroundings)
     askew = _unlikeness(a.apexes, b.apexes, cells)
     cost = _saturated(0.6 * away + 0.5 * askew + 0.8 * _unlikeness(*around, cells))
     return np.maximum(1 - cost / STRANGERS, 0.0)
 
 
 def all_cells(rows: int, columns: int) -> Cells:
-    """Every pair of stations, to be broadcast."""
+    """Every pair of samples, to be broadcast."""
     return np.arange(rows)[:, None], np.arange(columns)[None]
 
 
@@ -244,22 +247,22 @@ def _saturated(cost: Floats, most: float = 1.0) -> Floats:
     return np.asarray(cost / (1 + cost / most))
 
 
-def _even_spread(stations: Stations) -> Points:
+def _even_spread(samples: SampleFeatures) -> Points:
     """Points part of the way to equal spread in x and y."""
-    wide, tall = stations.seen.std(axis=0)
+    wide, tall = samples.surroundings.std(axis=0)
     ratio = np.clip(wide / tall, 1 / MOST_SPREAD, MOST_SPREAD) ** SPREAD_POWER
-    return np.asarray(stations.points * [1 / ratio, ratio])
+    return np.asarray(samples.points * [1 / ratio, ratio])
 
 
-def _ranks(stations: Stations) -> Floats:
+def _ranks(samples: SampleFeatures) -> Floats:
     """Rank of the coordinates among all seen, from -1 to 1, height weighted double; (2, n).
 
     The mean of the hyperbolic tangents of the gaps over `RANK_BLUR`; tanh(x - y) is
     1 - 2 / (1 + exp(2 x) exp(-2 y)).
     """
     # So far out two points are told apart by where they are; the exponentials stay finite.
-    points = np.concatenate([stations.points, stations.seen]).T.copy(order="C")
-    here, seen = np.split(np.clip(points * (2 / RANK_BLUR), -FAR, FAR), [len(stations.points)], 1)
+    points = np.concatenate([samples.points, samples.surroundings]).T.copy(order="C")
+    here, seen = np.split(np.clip(points * (2 / RANK_BLUR), -FAR, FAR), [len(samples.points)], 1)
     table = np.exp(here)[:, :, None] * np.exp(-seen)[:, None]
     table += 1
     np.divide(2, table, out=table)

@@ -113,29 +113,29 @@ def _as_slice(starts: Index) -> Index | slice:
 
 
 def cyclic_paths(cost: Floats, reward: Floats, fixed: Index, starts: Index) -> Paths:
-    """Cheapest closed paths through the costs of two rings of n stations each.
+    """Cheapest closed paths through the costs of two rings of n samples each.
 
     Parameters
     ----------
     cost, reward, fixed
         As for `cyclic_prices`.
     starts : (S,) intp
-        Stations of the second ring that station 0 of the first may be matched with.
+        Samples of the second ring that sample 0 of the first may be matched with.
     """
     return Paths(cyclic_prices(cost, reward, fixed), len(cost), starts, len(cost))
 
 
 def rolled_paths(prices: Floats, first: int, starts: Index) -> Paths:
-    """Cheapest closed paths that match a station of the first ring with one of some others.
+    """Cheapest closed paths that match a sample of the first ring with one of some others.
 
     Parameters
     ----------
     prices : (M, n, n) float64
-        From `cyclic_prices`, with no station fixed.
+        From `cyclic_prices`, with no sample fixed.
     first : int
-        Station of the first ring, the paths' row 0.
+        Sample of the first ring, the paths' row 0.
     starts : (S,) intp
-        Stations of the second ring.
+        Samples of the second ring.
     """
     count = prices.shape[1]
     return Paths(np.roll(prices, -first, axis=1), count, starts, count)
@@ -151,11 +151,11 @@ def cyclic_prices(cost: Floats, reward: Floats, fixed: Index) -> Floats:
     reward : (n, n) float64
         Taken off the price of a move that ends in the cell.
     fixed : (k,) intp
-        Stations of the first ring that must be matched with the same of the second.
+        Samples of the first ring that must be matched with the same of the second.
     """
     count = len(cost)
-    station = np.arange(count)
-    rows, columns = station[:, None], station
+    sample = np.arange(count)
+    rows, columns = sample[:, None], sample
     prices = _prices(_barred(cost + tilt(rows, columns), fixed)) - reward
     if len(fixed):
         prices[steps_over(rows, columns, fixed, count)] = np.inf
@@ -163,7 +163,7 @@ def cyclic_prices(cost: Floats, reward: Floats, fixed: Index) -> Floats:
 
 
 def _barred(cost: Floats, fixed: Index) -> Floats:
-    """The costs with all but the fixed cells of fixed stations infinite."""
+    """The costs with all but the fixed cells of fixed samples infinite."""
     barred = cost.copy()
     barred[fixed], barred[:, fixed] = np.inf, np.inf
     barred[fixed, fixed] = cost[fixed, fixed]
@@ -183,7 +183,7 @@ def _prices(cost: Floats) -> Floats:
 
 
 class OpenPath(NamedTuple):
-    """A path end to end: the stations that are matched, increasing, and its cost a row."""
+    """A path end to end: the samples that are matched, increasing, and its cost a row."""
 
     rows: Index
     columns: Index
@@ -191,7 +191,7 @@ class OpenPath(NamedTuple):
 
 
 def open_path(cost: Floats) -> tuple[Index, Index]:
-    """The cheapest path through the costs of two open lines of n stations each, end to end.
+    """The cheapest path through the costs of two open lines of n samples each, end to end.
 
     Parameters
     ----------
@@ -200,7 +200,7 @@ def open_path(cost: Floats) -> tuple[Index, Index]:
     Returns
     -------
     rows, columns : (K,) intp
-        Stations that are matched, both strictly increasing, from 0 to n - 1.
+        Samples that are matched, both strictly increasing, from 0 to n - 1.
     """
     return _end_to_end(cost).trace(0)
 
@@ -225,6 +225,6 @@ def priced_path(cost: Floats, reward: Floats) -> OpenPath | None:
 
 
 def _end_to_end(cost: Floats, reward: Floats | float = 0.0) -> Paths:
-    station, steps = np.arange(len(cost)), len(cost) - 1
-    prices = _prices(cost + tilt(station[:, None], station)) - reward
+    sample, steps = np.arange(len(cost)), len(cost) - 1
+    prices = _prices(cost + tilt(sample[:, None], sample)) - reward
     return Paths(prices, steps, np.zeros(1, dtype=np.intp), steps)

@@ -6,9 +6,9 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.candidate import Candidate, away
-from shapetween.match.costs import Prepared, looks, stations, upright_cost
+from shapetween.match.costs import Prepared, sample_features, upright_cost, upright_features
 from shapetween.match.dynamic import priced_path
-from shapetween.match.scale import BAND, FINE_STATIONS, STATIONS, VERTEX_REWARD, settled
+from shapetween.match.scale import BAND, FINE_SAMPLES, MATCH_SAMPLES, VERTEX_REWARD, rounded
 from shapetween.match.symmetry import aligned_ends
 
 __all__ = ["even_matchings", "refined_even"]
@@ -20,16 +20,16 @@ LEAST_STEPS = 12
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Side:
-    """Stations of one outline, sector by sector.
+    """Samples of one outline, sector by sector.
 
     Attributes
     ----------
     shares : (m + 1,) float64
-        How far along its sector each station lies, from 0 to 1, seen from the axis that even
+        How far along its sector each sample lies, from 0 to 1, seen from the axis that even
         sectors start at.
     places : (2 g, m + 1) float64
         Fractions of the length from the canonical start; those of an odd sector run back.
-    sector, station : (V,) intp
+    sector, sample : (V,) intp
         Where the salient vertices are; one on an axis is there once for either side.
     vertex : (V,) intp
     """
@@ -37,11 +37,11 @@ class _Side:
     shares: Floats
     places: Floats
     sector: Index
-    station: Index
+    sample: Index
     vertex: Index
 
 
-def even_matchings(a: Prepared, b: Prepared, angle: float, worth: Floats) -> list[Candidate]:
+def even_matchings(a: Prepared, b: Prepared, angle: float, rewards: Floats) -> list[Candidate]:
     """The best matchings of two outlines that keep the axes they have in common, in one frame.
 
     Parameters
@@ -49,21 +49,21 @@ def even_matchings(a: Prepared, b: Prepared, angle: float, worth: Floats) -> lis
     a, b : Prepared
     angle : float
         By which the first is turned.
-    worth : (K, K) float64
+    rewards : (K, K) float64
         Of salient vertices that meet.
     """
     found = []
     for ends in aligned_ends(a.axes, b.axes, angle):
-        candidate = _matched(a, b, ends, angle, worth, STATIONS, None)
+        candidate = _matched(a, b, ends, angle, rewards, MATCH_SAMPLES, None)
         if candidate is not None:
             found.append(candidate)
     return found
 
 
-def refined_even(a: Prepared, b: Prepared, candidate: Candidate, worth: Floats) -> Candidate:
-    """The matching found again with more stations, near where it was."""
+def refined_even(a: Prepared, b: Prepared, candidate: Candidate, rewards: Floats) -> Candidate:
+    """The matching found again with more samples, near where it was."""
     assert candidate.ends is not None
-    found = _matched(a, b, candidate.ends, candidate.turn, worth, FINE_STATIONS, candidate)
+    found = _matched(a, b, candidate.ends, candidate.turn, rewards, FINE_SAMPLES, candidate)
     return candidate if found is None else replace(found, cost=candidate.cost)
 
 
@@ -72,13 +72,13 @@ def _matched(
     b: Prepared,
     ends: Floats,
     angle: float,
-    worth: Floats,
+    rewards: Floats,
     count: int,
     near: Candidate | None,
 ) -> Candidate | None:
     """The cheapest path through one sector, the costs of all sectors laid upon each other."""
     sectors = len(ends)
-    steps = max(count // sectors, LEAST_STEPS * count // STATIONS)
+    steps = max(count // sectors, LEAST_STEPS * count // MATCH_SAMPLES)
     first, second = _side(a, ends[:, 0], steps), _side(b, ends[:, 1], steps)
     side = np.arange(steps + 1)
     rows, columns = (part.ravel() for part in np.meshgrid(side, side, indexing="ij"))
@@ -87,11 +87,11 @@ def _matched(
         rows, columns = np.nonzero((np.array(gaps) <= BAND).any(axis=0))
     base = (steps + 1) * np.arange(sectors)[:, None]
     cells = base + rows, base + columns
-    here = looks(stations(a, first.places.ravel()).turned(angle))
-    there = looks(stations(b, second.places.ravel()))
+    here = upright_features(sample_features(a, first.places.ravel()).turned(angle))
+    there = upright_features(sample_features(b, second.places.ravel()))
     cost = np.full((steps + 1, steps + 1), np.inf)
-    cost[rows, columns] = settled(upright_cost(here, there, cells).mean(axis=0))
-    earned = _earned(first, second, worth, sectors, steps)
+    cost[rows, columns] = rounded(upright_cost(here, there, cells).mean(axis=0))
+    earned = _earned(first, second, rewards, sectors, steps)
     path = priced_path(cost, steps * earned)
     if path is None:
         return None
@@ -101,7 +101,7 @@ def _matched(
 
 
 def _side(prepared: Prepared, ends: Floats, steps: int) -> _Side:
-    """Stations at even steps of the measure, moved onto the nearest vertices."""
+    """Samples at even steps of the measure, moved onto the nearest vertices."""
     sectors = len(ends)
     bounds = np.append(ends, ends[0] + 1)
     lengths = np.diff(bounds)
@@ -113,12 +113,12 @@ def _side(prepared: Prepared, ends: Floats, steps: int) -> _Side:
     sector = np.searchsorted(bounds, vertex, side="right") - 1
     share = (vertex - bounds[sector]) / lengths[sector]
     share = np.where(sector % 2 == 0, share, 1 - share)
-    station = np.abs(share[:, None] - shares).argmin(axis=1)
-    inner = (station > 0) & (station < steps)
-    for k in np.flatnonzero(inner)[::-1]:  # of several at one station the first counts
-        shares[station[k]] = share[k]
+    sample = np.abs(share[:, None] - shares).argmin(axis=1)
+    inner = (sample > 0) & (sample < steps)
+    for k in np.flatnonzero(inner)[::-1]:  # of several at one sample the first counts
+        shares[sample[k]] = share[k]
     # One on an axis belongs to the sectors on both sides of it.
-    back = (station == 0) == (sector % 2 == 0)
+    back = (sample == 0) == (sector % 2 == 0)
     beside = np.where(back, sector - 1, sector + 1) % sectors
     on = np.flatnonzero(~inner)
     turned = np.where(np.arange(sectors) % 2 == 0, 1.0, -1.0)[:, None]
@@ -129,22 +129,22 @@ def _side(prepared: Prepared, ends: Floats, steps: int) -> _Side:
         shares,
         places,
         np.append(sector, beside[on]),
-        np.append(station, station[on]),
+        np.append(sample, sample[on]),
         np.append(every, on),
     )
 
 
-def _earned(first: _Side, second: _Side, worth: Floats, sectors: int, steps: int) -> Floats:
+def _earned(first: _Side, second: _Side, rewards: Floats, sectors: int, steps: int) -> Floats:
     """What all sectors together earn in each cell by salient vertices that meet."""
     best = np.zeros((steps + 1, steps + 1))
     same = first.sector[:, None] == second.sector
-    pairs = np.where(same, worth[np.ix_(first.vertex, second.vertex)], 0.0)
-    np.maximum.at(best, (first.station[:, None], second.station[None]), pairs)
+    pairs = np.where(same, rewards[np.ix_(first.vertex, second.vertex)], 0.0)
+    np.maximum.at(best, (first.sample[:, None], second.sample[None]), pairs)
     best *= sectors * VERTEX_REWARD
     # What lies on an axis is in two sectors, and there once.
     best[[0, -1]] /= 2
     best[1:-1, [0, -1]] /= 2
-    return settled(best)
+    return rounded(best)
 
 
 def _unfolded(ends: Floats, shares: Floats) -> Floats:

@@ -8,7 +8,7 @@ from shapetween.base.arrays import Floats, Points
 from shapetween.geometry.polygon import cross
 from shapetween.match.sampling import SAMPLES
 
-__all__ = ["SEEN_STEP", "TURN_WINDOWS", "Features", "contexts", "describe", "unit"]
+__all__ = ["CONTEXT_STEP", "TURN_WINDOWS", "Features", "contexts", "describe", "unit"]
 
 #: Half-widths of the windows the turning is measured in, as shares of the length.
 TURN_WINDOWS = (1 / 96, 1 / 48, 1 / 24, 1 / 12, 1 / 6)
@@ -16,15 +16,15 @@ TURN_WINDOWS = (1 / 96, 1 / 48, 1 / 24, 1 / 12, 1 / 6)
 #: Largest medial radius worth telling from infinity, in roots of the area.
 MAX_RADIUS = 3.0
 
-#: Share of the station measure that follows the bends, the rest being even. More starves long
-#: plain sides of stations, less leaves corners to chance.
+#: Share of the sample measure that follows the bends, the rest being even. More starves long
+#: plain sides of samples, less leaves corners to chance.
 BEND_SHARE = 0.6
 
 #: Rings and sectors of a shape context, and its least and greatest radius in mean distances.
 RINGS, SECTORS, NEAREST, FARTHEST = 5, 12, 1 / 8, 2.0
 
-#: Every how many-th sample is seen in a context.
-SEEN_STEP = SAMPLES // 96
+#: Every how many-th sample counts in a context.
+CONTEXT_STEP = SAMPLES // 96
 
 #: Half-width of the arc whose middle an apex points away from, in samples: wide enough to see
 #: the end of a limb as one.
@@ -59,7 +59,7 @@ class Features:
         Radius of the largest disc that touches the outline here on that side, in roots of the
         area, at most `MAX_RADIUS`.
     measure : (N + 1,) float64
-        From 0 to 1: stations are set at equal steps of it, closer where the outline bends.
+        From 0 to 1: samples are set at equal steps of it, closer where the outline bends.
     """
 
     turns: Floats
@@ -99,13 +99,13 @@ def unit(vectors: Points) -> Points:
     return np.asarray(vectors / np.where(size > 0, size, 1.0))
 
 
-def contexts(points: Points, seen: Points, axes: Points | None = None) -> Floats:
+def contexts(points: Points, surroundings: Points, axes: Points | None = None) -> Floats:
     """Histograms of the surroundings of points, square-rooted.
 
     Parameters
     ----------
     points : (n, 2) float64
-    seen : (m, 2) float64
+    surroundings : (m, 2) float64
         What is counted.
     axes : (n, 2) float64, optional
         Unit vector of angle 0 at each point; that of the frame unless given.
@@ -120,7 +120,7 @@ def contexts(points: Points, seen: Points, axes: Points | None = None) -> Floats
     Shape contexts (Belongie, Malik, Puzicha 2002) over log radius and angle, with votes shared
     bilinearly between neighbouring bins.
     """
-    x, y = (seen[:, k] - points[:, k, None] for k in (0, 1))
+    x, y = (surroundings[:, k] - points[:, k, None] for k in (0, 1))
     if axes is not None:
         along, across = axes[:, :1], axes[:, 1:]
         x, y = x * along + y * across, along * y - across * x

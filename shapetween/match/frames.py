@@ -1,6 +1,6 @@
 """The frames two outlines are compared in, and what a turned one has to be better by.
 
-Drawings are meant upright, so a turned frame is taken only for good reason. What tells was settled
+Drawings are meant upright, so a turned frame is taken only for good reason. What tells was rounded
 on hand-matched pairs of drawings and on outlines that were bent and turned by known maps, by
 logistic regression of which frame's matching was right; the figures below are its weights, rounded,
 over that of the cost.

@@ -1,4 +1,4 @@
-"""Where the stations are set that a matching is made of."""
+"""Where the samples are set that a matching is made of."""
 
 from dataclasses import dataclass
 
@@ -9,25 +9,25 @@ from shapetween.match.costs import Prepared
 
 __all__ = ["Layout", "layout_of"]
 
-#: How many of the second outline's stations are skipped between those the first one's first may be
+#: How many of the second outline's samples are skipped between those the first one's first may be
 #: matched with.
 EVERY = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
-    """Stations on both outlines; pinned ones are fixed to one another.
+    """Samples on both outlines; pinned ones are fixed to one another.
 
     Attributes
     ----------
     a, b : (n,) float64
         Places, fractions of the lengths from the canonical starts, increasing.
     a_vertices, b_vertices : (K,) intp
-        The stations of the salient vertices.
+        The samples of the salient vertices.
     fixed : (k,) intp
-        Pinned stations, the same on both.
+        Pinned samples, the same on both.
     starts : (S,) intp
-        Stations of the second that the first one's station 0 may be matched with.
+        Samples of the second that the first one's sample 0 may be matched with.
     """
 
     a: Floats
@@ -39,7 +39,7 @@ class Layout:
 
 
 def layout_of(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
-    """Stations at even steps of the measure, moved onto the nearest vertices and pins."""
+    """Samples at even steps of the measure, moved onto the nearest vertices and pins."""
     fixed, at_a, at_b = _spaced(a.measures(pins[:, 0]), b.measures(pins[:, 1]), count)
     starts = np.arange(0, 1 if len(pins) else count, EVERY)
     places_a, stations_a = _onto_vertices(a, at_a, fixed)
@@ -48,7 +48,7 @@ def layout_of(a: Prepared, b: Prepared, pins: Floats, count: int) -> Layout:
 
 
 def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:
-    """Stations at even steps between pins, as many on both: pinned ones, measures of all."""
+    """Samples at even steps between pins, as many on both: pinned ones, measures of all."""
     if len(a) == 0:
         even = np.arange(count) / count
         return np.zeros(0, dtype=np.intp), even, even
@@ -63,7 +63,7 @@ def _spaced(a: Floats, b: Floats, count: int) -> tuple[Index, Floats, Floats]:
 
 
 def _onto_vertices(prepared: Prepared, at: Floats, fixed: Index) -> tuple[Floats, Index]:
-    """Places of stations, those nearest the salient vertices moved there, and which these are."""
+    """Places of samples, those nearest the salient vertices moved there, and which these are."""
     places = prepared.places(at)
     vertex = prepared.vertices.index / len(prepared.samples.points)
     measure = prepared.measures(vertex)

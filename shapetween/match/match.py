@@ -19,15 +19,15 @@ from shapetween.match.costs import (
     all_cells,
     intrinsic_cost,
     likeness_of_vertices,
-    looks,
-    stations,
+    sample_features,
     upright_cost,
+    upright_features,
 )
 from shapetween.match.dynamic import Paths, cyclic_paths, cyclic_prices, rolled_paths
 from shapetween.match.even import even_matchings, refined_even
 from shapetween.match.frames import MIN_TURN, Frame, handicap, standing
 from shapetween.match.layout import Layout, layout_of
-from shapetween.match.scale import BAND, FINE_STATIONS, STATIONS, VERTEX_REWARD, settled
+from shapetween.match.scale import BAND, FINE_SAMPLES, MATCH_SAMPLES, VERTEX_REWARD, rounded
 
 __all__ = ["best_matching", "best_matchings", "upright_matching_cost"]
 
@@ -120,11 +120,11 @@ def _comes_second(a: Prepared, b: Prepared) -> bool:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Ranked:
-    """A candidate, what it counts as, and the worth of vertices in its frame."""
+    """A candidate, what it counts as, and the rewards of vertices in its frame."""
 
     cost: float
     candidate: Candidate
-    worth: Floats
+    rewards: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,7 +147,7 @@ class _Comparison:
     def __init__(self, a: Prepared, b: Prepared, pins: Floats) -> None:
         self.a, self.b = a, b
         self.pins = pins[np.argsort(pins[:, 0])]
-        self.layout = layout_of(a, b, self.pins, STATIONS)
+        self.layout = layout_of(a, b, self.pins, MATCH_SAMPLES)
         self.cells = all_cells(len(self.layout.a), len(self.layout.b))
 
     def best(self, count: int, forced: bool) -> list[Correspondence]:
@@ -165,7 +165,7 @@ class _Comparison:
             # Candidates that are only there to be compared with need not be refined.
             found = entry.candidate
             if forced or not kept:
-                found = self._refined(found, entry.worth)
+                found = self._refined(found, entry.rewards)
             if not any(near(found, other) for _, other in kept):
                 kept.append((entry, found))
         kept[1:] = sorted(kept[1:], key=lambda pair: pair[0].cost)
@@ -182,8 +182,8 @@ class _Comparison:
 
     def upright_cost(self) -> float:
         """Cost of the best matching in the upright frame, rewards that are not earned added."""
-        worth = _worth_of_vertices(self.a, self.b, 0.0)
-        return self._in_frame(0.0, worth, False)[0].cost + self._unrewarded
+        rewards = _vertex_rewards(self.a, self.b, 0.0)
+        return self._in_frame(0.0, rewards, False)[0].cost + self._unrewarded
 
     @property
     def _unrewarded(self) -> float:
@@ -211,12 +211,12 @@ class _Comparison:
         """What is found in one frame."""
         a, b = self.a, self.b
         unrewarded = self._unrewarded
-        worth = _worth_of_vertices(a, b, angle)
-        even = even_matchings(a, b, angle, worth) if len(self.pins) == 0 else []
+        rewards = _vertex_rewards(a, b, angle)
+        even = even_matchings(a, b, angle, rewards) if len(self.pins) == 0 else []
         entries = [
-            _Ranked(c.cost + unrewarded, c, worth) for c in self._in_frame(angle, worth, forced)
+            _Ranked(c.cost + unrewarded, c, rewards) for c in self._in_frame(angle, rewards, forced)
         ]
-        entries += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, worth) for c in even]
+        entries += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, rewards) for c in even]
         best = min(entries, key=lambda entry: entry.cost)
         return _Found(Frame(angle, self._mean(unlike, best.candidate)), entries, best, bool(even))
 
@@ -230,12 +230,15 @@ class _Comparison:
         return handicap(*frames, stand=upright.even, plain=plainly_the_same(*alike))
 
     def _bends_alike(self, entry: _Ranked) -> float:
-        return bends_alike(self.a, self.b, self._refined(entry.candidate, entry.worth))
+        return bends_alike(self.a, self.b, self._refined(entry.candidate, entry.rewards))
 
     def _unlike(self) -> Floats:
-        """Unlikeness of all pairs of stations that no turning changes."""
-        first, second = stations(self.a, self.layout.a), stations(self.b, self.layout.b)
-        return settled(intrinsic_cost(first, second, self.cells))
+        """Unlikeness of all pairs of samples that no turning changes."""
+        first, second = (
+            sample_features(self.a, self.layout.a),
+            sample_features(self.b, self.layout.b),
+        )
+        return rounded(intrinsic_cost(first, second, self.cells))
 
     def _turn(self, unlike: Floats) -> float:
         """The angle by which the first is turned where they match best whatever their angle."""
@@ -262,11 +265,11 @@ class _Comparison:
         ]
         return float(((1 - s) * rows[0] + s * rows[1]).mean())
 
-    def _in_frame(self, angle: float, worth: Floats, forced: bool) -> list[Candidate]:
+    def _in_frame(self, angle: float, rewards: Floats, forced: bool) -> list[Candidate]:
         """The cheapest matchings of one frame that are different ones."""
         layout = self.layout
         cost = self._cost(layout, angle, self.cells)
-        prices = cyclic_prices(cost, _rewards(worth, layout), layout.fixed)
+        prices = cyclic_prices(cost, _cell_rewards(rewards, layout), layout.fixed)
         count = len(cost)
         found = distinct(
             self._by_cost(Paths(prices, count, layout.starts, count), 0, angle), PER_FRAME
@@ -284,7 +287,7 @@ class _Comparison:
         return found + distinct(more, len(more), found)
 
     def _by_cost(self, paths: Paths, first: int, turn: float) -> Iterator[Candidate]:
-        """The paths from a station of the first outline, the cheapest first."""
+        """The paths from a sample of the first outline, the cheapest first."""
         places = around(self.layout)
         once = np.concatenate([self.layout.a[first:], self.layout.a[: first + 1] + 1])
         for which in np.argsort(paths.costs, kind="stable").tolist():
@@ -300,8 +303,8 @@ class _Comparison:
         u[-1], v[-1] = u[0] + 1, v[0] + 1
         return Correspondence(u, v, cost, np.inf, "unsure", found.turn)
 
-    def _refined(self, candidate: Candidate, worth: Floats) -> Candidate:
-        """The matching found again with more stations, near where it was.
+    def _refined(self, candidate: Candidate, rewards: Floats) -> Candidate:
+        """The matching found again with more samples, near where it was.
 
         Near along either outline: a tip beside its like may cross a stretch that the candidate
         passed in one step.
@@ -311,16 +314,16 @@ class _Comparison:
         """
         a, b, pins = self.a, self.b, self.pins
         if candidate.ends is not None:
-            return refined_even(a, b, candidate, worth)
+            return refined_even(a, b, candidate, rewards)
         best = candidate
         for cut in (0.0,) if len(pins) else (0.0, 0.5):
             middle = best.a[0] + cut
             kept = np.array([[middle, follow(best.a, best.b, np.array([middle]))[0]]])
-            layout = layout_of(a, b, pins if len(pins) else kept, FINE_STATIONS)
+            layout = layout_of(a, b, pins if len(pins) else kept, FINE_SAMPLES)
             within = away(best, layout.a, layout.b) <= BAND
             rows, columns = np.nonzero(within)
             cost = self._cost(layout, candidate.turn, (rows, columns))
-            reward = _rewards(worth, layout)[within]
+            reward = _cell_rewards(rewards, layout)[within]
             path = band_path((rows, columns), cost, reward, layout.fixed, len(layout.a))
             if path is None:
                 break
@@ -329,14 +332,14 @@ class _Comparison:
         return best
 
     def _cost(self, layout: Layout, angle: float, cells: Cells) -> Floats:
-        """Costs of pairs of stations in one frame."""
-        first, second = stations(self.a, layout.a), stations(self.b, layout.b)
-        cost = upright_cost(looks(first.turned(angle)), looks(second), cells)
+        """Costs of pairs of samples in one frame."""
+        first, second = sample_features(self.a, layout.a), sample_features(self.b, layout.b)
+        cost = upright_cost(upright_features(first.turned(angle)), upright_features(second), cells)
         if len(self.pins):
-            sway, astray = _pull(layout, self.pins, cells)
-            pulled = (intrinsic_cost(first, second, cells) + astray) / 2
-            cost = sway * pulled + (1 - sway) * cost
-        return settled(cost)
+            weight, residual = _pull(layout, self.pins, cells)
+            pulled = (intrinsic_cost(first, second, cells) + residual) / 2
+            cost = weight * pulled + (1 - weight) * cost
+        return rounded(cost)
 
 
 def _tips(prepared: Prepared) -> Index:
@@ -347,40 +350,42 @@ def _tips(prepared: Prepared) -> Index:
 
 
 def _pull(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:
-    """How much each pair of stations is under the sway of a pin, and how far it strays from it.
+    """Weight of the nearest pin for each pair of samples, and the pair's residual from it.
 
-    Both from 0 to 1. A pair strays when its stations are not equally far along both outlines from
-    the pin.
+    Both from 0 to 1. The residual is by how much the samples are not equally far along both
+    outlines from the pin.
     """
     a, b = layout.a[:, None] - pins[:, 0], layout.b[:, None] - pins[:, 1]
     a, b = (a - np.round(a)) / PIN_REACH, (b - np.round(b)) / PIN_REACH
     near = np.maximum(1 - np.minimum(np.abs(a)[cells[0]], np.abs(b)[cells[1]]), 0.0)
-    astray = np.minimum(np.abs(a[cells[0]] - b[cells[1]]), 1.0)
+    residual = np.minimum(np.abs(a[cells[0]] - b[cells[1]]), 1.0)
     strongest = near.argmax(axis=-1)[..., None]
     return (
         np.take_along_axis(near, strongest, axis=-1)[..., 0],
-        np.take_along_axis(astray, strongest, axis=-1)[..., 0],
+        np.take_along_axis(residual, strongest, axis=-1)[..., 0],
     )
 
 
-def _worth_of_vertices(a: Prepared, b: Prepared, angle: float) -> Floats:
-    """What matching salient vertices is worth in one frame, (K, K): weight times likeness."""
+def _vertex_rewards(a: Prepared, b: Prepared, angle: float) -> Floats:
+    """Reward of matching salient vertices in one frame, (K, K): weight times likeness."""
     count = len(a.samples.points)
-    first, second = (stations(p, p.vertices.index / count) for p in (a, b))
+    first, second = (sample_features(p, p.vertices.index / count) for p in (a, b))
     weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
     alike = a.vertices.convex[:, None] == b.vertices.convex
-    return settled(weight * alike * likeness_of_vertices(first.turned(angle), second))
+    return rounded(weight * alike * likeness_of_vertices(first.turned(angle), second))
 
 
-def _rewards(worth: Floats, layout: Layout) -> Floats:
+def _cell_rewards(rewards: Floats, layout: Layout) -> Floats:
     """What a path earns in each cell by matching salient vertices, (n, n)."""
     reward = np.zeros((len(layout.a), len(layout.b)))
-    earned = VERTEX_REWARD * len(layout.a) * worth
+    earned = VERTEX_REWARD * len(layout.a) * rewards
     np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
     return reward
 
 
 def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
     """Angle of the rotation that takes the first's matched points nearest the second's."""
-    za, zb = (stations(p, k).points @ [1, 1j] for p, k in ((a, candidate.a), (b, candidate.b)))
+    za, zb = (
+        sample_features(p, k).points @ [1, 1j] for p, k in ((a, candidate.a), (b, candidate.b))
+    )
     return float(np.angle((zb * za.conj()).sum()))

@@ -8,7 +8,7 @@ from shapetween.base.arrays import Floats, Index, Mask
 
 __all__ = ["MOVES", "REACH", "move_prices", "steps_over", "tilt"]
 
-#: Steps along (source, target), in stations. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
+#: Steps along (source, target), in samples. Slopes from 1/8 to 8; (2, 3) beside (1, 2) lets a
 #: slope of 1.5 be even.
 MOVES = (
     (1, 1),
@@ -43,7 +43,7 @@ CHAINS = tuple(
     if sum(other[: len(way)] == way for other in WAYS) == 1
 )
 
-#: Price of every station by which a move favours one outline; less invites needless slips.
+#: Price of every sample by which a move favours one outline; less invites needless slips.
 SKEW_PRICE = 0.1
 
 #: A slight tilt of the costs by cell number, in which no two paths are equal: symmetric shapes and
@@ -82,15 +82,15 @@ def move_prices(cost_back: Callable[[int, int], Floats]) -> Floats:
 
 
 def steps_over(rows: Index, columns: Index, fixed: Index, count: int) -> Mask:
-    """Which moves step over a fixed station of either ring.
+    """Which moves step over a fixed sample of either ring.
 
     Parameters
     ----------
     rows, columns : (...) intp
-        Stations where the moves end, of shapes that broadcast.
+        Samples where the moves end, of shapes that broadcast.
     fixed : (k,) intp
     count : int
-        Stations of a ring.
+        Samples of a ring.
 
     Returns
     -------

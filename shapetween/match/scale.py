@@ -4,25 +4,25 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 
-__all__ = ["BAND", "FINE_STATIONS", "STATIONS", "VERTEX_REWARD", "settled"]
+__all__ = ["BAND", "FINE_SAMPLES", "MATCH_SAMPLES", "VERTEX_REWARD", "rounded"]
 
-#: Stations a matching is chosen with. Fewer lose fingers; more cost time with the cube and match no
+#: Samples a matching is chosen with. Fewer lose fingers; more cost time with the cube and match no
 #: better.
-STATIONS = 64
+MATCH_SAMPLES = 64
 
-#: Stations a chosen matching is refined with, and how far it may move, as a share of them.
-FINE_STATIONS, BAND = 192, 0.04
+#: Samples a chosen matching is refined with, and how far it may move, as a share of them.
+FINE_SAMPLES, BAND = 192, 0.04
 
-#: Reward of a salient vertex that meets its like, as a share of what all stations cost at a cost of
+#: Reward of a salient vertex that meets its like, as a share of what all samples cost at a cost of
 #: 1. Less, and a limb counts by its length alone, or its tip comes to lie beside the other's; more,
 #: and what lies between is not listened to.
-VERTEX_REWARD = 2.8 / STATIONS
+VERTEX_REWARD = 2.8 / MATCH_SAMPLES
 
 #: What costs are rounded to. Libraries differ in their last digits from processor to processor;
 #: sums of rounded costs do not, and equal ones stay equal. Coarser would make unequal ones equal.
 GRAIN = 2.0**-30
 
 
-def settled(costs: Floats) -> Floats:
+def rounded(costs: Floats) -> Floats:
     """Costs rounded, so that no processor's last digit decides between two paths."""
     return np.asarray(np.round(costs / GRAIN) * GRAIN)

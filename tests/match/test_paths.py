@@ -35,8 +35,8 @@ def price(cost: Floats, reward: Floats, move: tuple[int, int], i: int, j: int) -
 def cheapest(cost: Floats, reward: Floats, start: int, fixed: Index = NONE) -> float:
     """Cost of the cheapest closed path from one start, a row."""
     count, stays = len(cost), set(fixed.tolist())
-    stations = np.isin(np.arange(count), fixed)
-    cost = np.where((stations[:, None] | stations) & ~np.eye(count, dtype=bool), np.inf, cost)
+    samples = np.isin(np.arange(count), fixed)
+    cost = np.where((samples[:, None] | samples) & ~np.eye(count, dtype=bool), np.inf, cost)
 
     @cache
     def reach(i: int, j: int) -> float:
@@ -92,8 +92,8 @@ def test_a_band_gives_the_path_that_all_cells_give_with_the_others_barred(
     fixed: list[int], width: int
 ) -> None:
     cost, reward = table(width, 40)
-    station, met = np.arange(40), np.array(fixed)
-    gap = np.abs(station[:, None] - station)
+    sample, met = np.arange(40), np.array(fixed)
+    gap = np.abs(sample[:, None] - sample)
     near = np.minimum(gap, 40 - gap) <= width
     rows, columns = np.nonzero(near)
     found = band_path((rows, columns), cost[near], reward[near], met, 40)
@@ -126,8 +126,8 @@ def test_no_move_passes_a_fixed_station_on_its_way() -> None:
         cost[i, j] = 0.0
     reward = np.zeros((12, 12))
     met = np.array([0, 6])
-    station = np.arange(12)
-    cells = np.repeat(station, 12), np.tile(station, 12)
+    sample = np.arange(12)
+    cells = np.repeat(sample, 12), np.tile(sample, 12)
     found = band_path(cells, cost.ravel(), reward.ravel(), met, 12)
     paths = cyclic_paths(cost, reward, met, np.zeros(1, dtype=np.intp))
     for rows, columns in (found or (NONE, NONE), paths.trace(0)):
