@@ -24,11 +24,24 @@ def one_thread() -> Iterator[None]:
     sums in another order on every machine.
     """
     name, one = ONE_THREAD
-    if os.environ.get(name) == one:
+    before = os.environ.get(name)
+    if before == one:
         yield
         return
-    with _libraries(len(sys.modules)).limit(limits=1, user_api="blas"):
-        yield
+    loaded = _libraries(len(sys.modules))
+    known = {library.filepath for library in loaded.lib_controllers}
+    os.environ[name] = one  # for what is only loaded meanwhile
+    try:
+        with loaded.limit(limits=1, user_api="blas"):
+            yield
+    finally:
+        if before is None:
+            del os.environ[name]
+        else:
+            os.environ[name] = before
+        for library in _libraries(len(sys.modules)).select(user_api="blas").lib_controllers:
+            if library.filepath not in known:
+                library.set_num_threads(int(before or os.cpu_count() or 1))
 
 
 @lru_cache(maxsize=1)

@@ -151,6 +151,8 @@ def _crossing(
             reason = shapely.is_valid_reason(shapely.Polygon(points))
             x, y = reason[reason.find("[") + 1 : -1].split()[:2]
             return float(x), float(y)
+    if len(polygons) < 2:
+        return None
     every = np.array(polygons)
     pairs = shapely.STRtree(every).query(every, predicate="intersects")
     one, other = every[pairs[:, pairs[0] < pairs[1]]]
@@ -175,6 +177,9 @@ def _nested(
     """Regions of rings that do not cross, by how deep each lies and which way it runs."""
     import shapely
 
+    if len(rings) == 1:
+        (ring,) = rings
+        return [Region(tidy(ring if ring.area > 0 else ring.reversed()))]
     inner = [shapely.point_on_surface(p) for p in polygons]
     areas = np.array([p.area for p in polygons])
     tree = shapely.STRtree(polygons)

@@ -20,6 +20,7 @@ __all__ = [
     "line_curves",
     "signed_area",
     "sub_curves",
+    "velocity_weights",
 ]
 
 #: Gauss-Legendre nodes a curve's length is integrated with; fewer misjudge hooks and cusps.
@@ -50,10 +51,10 @@ def evaluate(curves: Curves, t: Floats) -> Points:
     return combined(bernstein(t), curves)
 
 
-def bernstein(t: Floats) -> Floats:
-    """Weights of the four control points at parameters (..., K), (..., K, 4)."""
+def bernstein(t: Floats, axis: int = -1) -> Floats:
+    """Weights of the four control points, on an axis of their own, at parameters (...)."""
     s = 1 - t
-    return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=-1)
+    return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=axis)
 
 
 def combined(weights: Floats, points: Points) -> Points:
@@ -72,9 +73,13 @@ def combined(weights: Floats, points: Points) -> Points:
 
 def derivatives(curves: Curves, t: Floats) -> Points:
     """Velocities of every curve, with parameters and shapes as for `evaluate`."""
+    return combined(velocity_weights(t), 3 * np.diff(curves, axis=-2))
+
+
+def velocity_weights(t: Floats, axis: int = -1) -> Floats:
+    """Weights of thrice the steps between control points, as `bernstein` has those of points."""
     s = 1 - t
-    basis = np.stack([s * s, 2 * s * t, t * t], axis=-1)
-    return combined(basis, 3 * np.diff(curves, axis=-2))
+    return np.stack([s * s, 2 * s * t, t * t], axis=axis)
 
 
 def flatten(curves: Curves, pieces: int | Index) -> Points:

@@ -12,7 +12,7 @@ on both sides of the joint reach.
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask
-from shapetween.geometry.bezier import derivatives, evaluate
+from shapetween.geometry.bezier import bernstein, velocity_weights
 
 __all__ = ["merged_curves"]
 
@@ -25,7 +25,7 @@ SHARES = (1 / 16, 1.0)
 LEAST = 1e-3
 
 #: Parameters at which the distance of a piece from the whole is looked at.
-LOOKED = np.array([0.25, 0.5, 0.75, 1.0])
+LOOKED = np.array([0.25, 0.5, 0.75, 1.0])[:, None, None]
 
 #: What counts of a distance along the curve, which hardly anybody sees. At 1 half as many curves
 #: merge; at 0 a curve may pass its own end and come back.
@@ -34,8 +34,9 @@ ALONG = 0.25
 #: Samples that are looked at before all are: most neighbours are seen not to be one at once.
 FIRST_LOOK = 5
 
-#: Control points of pairs that are looked at together; more fill the memory.
-MOST_HELD = 2_000_000
+#: Pairs, each at each time, that are looked at together. More no longer fit in a processor's cache;
+#: with fewer most of the time goes to calls.
+AT_ONCE = 4_000
 
 
 def merged_curves(
@@ -62,41 +63,59 @@ def merged_curves(
     allowed[[0, -1]] = ends
     ring = np.repeat(np.arange(len(rings)), rings)
     off = np.zeros(curves.shape[:2])
+    held = _by_coordinate(curves)
+    # Most neighbours are seen at the start not to be one, and are none until one of them changes.
+    possible = np.append(ring[1:] == ring[:-1], np.zeros(len(ring[:1]), bool))
+    pairs = np.flatnonzero(possible)
+    possible[pairs] = _all_near(held, off, pairs, SHARES[-1] * allowed, slice(1))
     for share in SHARES:
-        changed = np.ones(len(ring), bool)
+        tried = possible.copy()
         while len(ring) > 1:
-            # Neighbours that were not one, and have not changed since, are none now.
-            pairs = np.flatnonzero((ring[1:] == ring[:-1]) & (changed[1:] | changed[:-1]))
-            first = _disjoint(_near(curves, off, pairs, share * allowed))
+            first = _disjoint(_near(held, off, np.flatnonzero(tried), share * allowed))
             if not len(first):
                 break
-            whole, away = _whole(curves[:, first], curves[:, first + 1])
+            whole, away = _whole(held[..., first], held[..., first + 1])
             off[:, first] = away + np.maximum(off[:, first], off[:, first + 1])
-            curves = curves.copy()
-            curves[:, first] = whole
-            kept = np.ones(len(ring), bool)
-            kept[first + 1] = False
+            held = held.copy()
+            held[..., first] = whole
             changed = np.zeros(len(ring), bool)
             changed[first] = True
-            changed = changed[kept]
-            curves, off, ring = curves[:, kept], off[:, kept], ring[kept]
-    return curves, tuple(np.bincount(ring, minlength=len(rings)).tolist())
+            kept = np.ones(len(ring), bool)
+            kept[first + 1] = False
+            held, off, ring, changed = held[..., kept], off[:, kept], ring[kept], changed[kept]
+            # Neighbours that were not one, and have not changed since, are none now.
+            together = np.append(ring[1:] == ring[:-1], False)
+            tried = (changed | np.append(changed[1:], False)) & together
+            possible = (possible[kept] | tried) & together
+    merged = np.moveaxis(held, (0, 1), (2, 3))
+    return np.ascontiguousarray(merged), tuple(np.bincount(ring, minlength=len(rings)).tolist())
 
 
-def _near(curves: Curves, off: Floats, pairs: Index, allowed: Floats) -> Index:
+def _by_coordinate(curves: Curves) -> Floats:
+    """Curves (F, N, 4, 2) as (4, 2, F, N), in which arithmetic runs through long rows."""
+    return np.ascontiguousarray(np.moveaxis(curves, (2, 3), (0, 1)))
+
+
+def _near(held: Floats, off: Floats, pairs: Index, allowed: Floats) -> Index:
     """Those of some pairs, each named by its first curve, that are near one curve at all times."""
-    some = np.unique(np.linspace(0, len(curves) - 1, FIRST_LOOK).round().astype(np.intp))
-    for look in (some[:1], some):
-        pairs = pairs[_all_near(curves[look], off[look], pairs, allowed[look])]
-    step = max(1, MOST_HELD // (8 * len(curves)))
-    parts = [pairs[k : k + step] for k in range(0, len(pairs), step)]
-    return np.concatenate(
-        [part[_all_near(curves, off, part, allowed)] for part in parts] or [pairs]
-    )
+    some = np.unique(np.linspace(0, len(off) - 1, FIRST_LOOK).round().astype(np.intp))
+    for look in (slice(1), some, slice(None)):
+        pairs = pairs[_all_near(held, off, pairs, allowed, look)]
+    return pairs
 
 
-def _all_near(curves: Curves, off: Floats, pairs: Index, allowed: Floats) -> Mask:
-    _, away = _whole(curves[:, pairs], curves[:, pairs + 1])
+def _all_near(
+    held: Floats, off: Floats, pairs: Index, allowed: Floats, look: slice | Index
+) -> Mask:
+    """Whether pairs are near one curve at some of the times."""
+    held, off, allowed = held[:, :, look], off[look], allowed[look]
+    step = max(1, AT_ONCE // len(off))
+    near = [_together(held, off, pairs[k : k + step], allowed) for k in range(0, len(pairs), step)]
+    return np.concatenate([np.zeros(0, bool), *near])
+
+
+def _together(held: Floats, off: Floats, pairs: Index, allowed: Floats) -> Mask:
+    _, away = _whole(held[..., pairs], held[..., pairs + 1])
     total = away + np.maximum(off[:, pairs], off[:, pairs + 1])
     return np.asarray((total <= allowed[:, None]).all(axis=0))
 
@@ -110,18 +129,18 @@ def _disjoint(pairs: Index) -> Index:
     return np.array(chosen, np.intp)
 
 
-def _whole(first: Curves, second: Curves) -> tuple[Curves, Floats]:
-    """The curve that two (F, K, 4, 2) are pieces of, and how far they are from it, (F, K)."""
-    before = _length(first[..., 3, :] - first[..., 2, :])
-    after = _length(second[..., 1, :] - second[..., 0, :])
+def _whole(first: Floats, second: Floats) -> tuple[Floats, Floats]:
+    """The curves that pairs (4, 2, F, K) are pieces of, and how far they are from them, (F, K)."""
+    before = _length(first[3] - first[2])
+    after = _length(second[1] - second[0])
     total = before + after
     share = np.where(total > 0, before / np.where(total > 0, total, 1.0), 0.5)
     known = (share >= LEAST) & (share <= 1 - LEAST)
-    share = np.where(known, share, 0.5)[..., None]
-    start, end = first[..., 0, :], second[..., 3, :]
-    leaving = start + (first[..., 1, :] - start) / share
-    arriving = end + (second[..., 2, :] - end) / (1 - share)
-    whole = np.stack([start, leaving, arriving, end], axis=-2)
+    share = np.where(known, share, 0.5)
+    start, end = first[0], second[3]
+    leaving = start + (first[1] - start) / share
+    arriving = end + (second[2] - end) / (1 - share)
+    whole = np.stack([start, leaving, arriving, end])
     away = np.maximum(
         _distance(whole, share * LOOKED, first),
         _distance(whole, share + (1 - share) * LOOKED, second),
@@ -129,16 +148,25 @@ def _whole(first: Curves, second: Curves) -> tuple[Curves, Floats]:
     return whole, np.where(known, away, np.inf)
 
 
-def _distance(whole: Curves, shares: Floats, piece: Curves) -> Floats:
-    """The greatest distance of a piece from its share of the whole, (F, K)."""
-    away = evaluate(whole, shares) - evaluate(piece, LOOKED)
-    tangents = derivatives(piece, LOOKED)
+def _distance(whole: Floats, shares: Floats, piece: Floats) -> Floats:
+    """The greatest distance of pieces from their shares (L, F, K) of the whole, (F, K)."""
+    away = _summed(bernstein(shares, 0), whole) - _summed(bernstein(LOOKED, 0), piece)
+    tangents = _summed(velocity_weights(LOOKED, 0), 3 * np.diff(piece, axis=0))
     speed = _length(tangents)
-    across = np.abs(away[..., 0] * tangents[..., 1] - away[..., 1] * tangents[..., 0])
+    across = np.abs(away[0] * tangents[1] - away[1] * tangents[0])
     far = _length(away)
     across = np.where(speed > 0, across / np.where(speed > 0, speed, 1.0), far)
-    return np.asarray(np.maximum(across, ALONG * far).max(axis=-1))
+    return np.asarray(np.maximum(across, ALONG * far).max(axis=0))
+
+
+def _summed(weights: Floats, points: Floats) -> Floats:
+    """Sums of weighted points, (M, L, F, K) and (M, 2, F, K) to (2, L, F, K), in one order."""
+    total = weights[0] * points[0, :, None]
+    for weight, point in zip(weights[1:], points[1:], strict=True):
+        total += weight * point[:, None]
+    return np.asarray(total)
 
 
 def _length(vectors: Floats) -> Floats:
-    return np.asarray(np.sqrt((vectors**2).sum(axis=-1)))
+    """Lengths of vectors (2, ...)."""
+    return np.asarray(np.sqrt(vectors[0] ** 2 + vectors[1] ** 2))

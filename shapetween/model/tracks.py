@@ -6,6 +6,7 @@ for a while becomes the nearest paint, fully transparent; colours beside gradien
 of one colour; and where the kind still changes, the track is cut.
 """
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -93,7 +94,7 @@ def _of_one_sort(paints: Sequence[PaintT]) -> list[PaintT]:
     """The paints with none missing, and either all of them colours or all gradients."""
     gradients = [k for k, paint in enumerate(paints) if isinstance(paint, Gradient)]
     present = gradients or [k for k, paint in enumerate(paints) if paint is not None]
-    if not present:
+    if not present or (not gradients and len(present) == len(paints)):
         return list(paints)
     track: list[PaintT] = []
     for k, paint in enumerate(paints):
@@ -132,8 +133,10 @@ def _unflattened(track: list[PaintT]) -> list[PaintT]:
 
 
 def _nearest(samples: Sequence[int], sample: int) -> int:
-    """The nearest of some samples, the later of two: what is reached is more like what follows."""
-    return min(samples, key=lambda other: (abs(other - sample), -other))
+    """Nearest of rising samples, the later of two: what is reached is more like what follows."""
+    place = bisect_left(samples, sample)
+    near = samples[max(place - 1, 0) : place + 1]
+    return min(near, key=lambda other: (abs(other - sample), -other))
 
 
 def _strokes(strokes: Sequence[Stroke | None]) -> Sequence[Stroke | None]:

@@ -13,8 +13,9 @@ __all__ = ["NOT_SEEN", "UNSEEN", "Seen", "seen_crossings"]
 #: it: a tenth of a pixel at 1000.
 UNSEEN = 1e-4
 
-#: Chords of a curve in which it is looked at.
-CHORDS = 8
+#: Chords of a curve in which it is looked at, and of all of them about, where they are so many that
+#: each has fewer. More take seconds on an outline like a coast; with fewer, bends are cut short.
+CHORDS, MOST_CHORDS = 8, 40_000
 
 #: Faces whose windings are found at once, over so many segments; more cost memory.
 AT_ONCE = 2_000_000
@@ -58,8 +59,9 @@ def seen_crossings(curves: Curves, counts: tuple[int, ...], area: float, size: f
     """
     worst = NOT_SEEN
     ends = np.cumsum(counts)[:-1]
+    chords = min(CHORDS, -(-MOST_CHORDS // curves.shape[1]))
     for frame in curves:
-        rings = [flatten(ring, CHORDS) for ring in np.split(frame, ends)]
+        rings = [flatten(ring, chords) for ring in np.split(frame, ends)]
         wrong, width = _wound_wrongly(rings)
         worst = Seen(max(worst.area, wrong / area), max(worst.width, width / size))
     return worst

@@ -30,8 +30,10 @@ __all__ = ["SAMPLES", "Item", "Painted", "items_of", "seen_colour"]
 #: cost time with their square, where all items are compared with each other.
 SAMPLES = 64
 
-#: Chords of each curve that samples are taken from.
-CHORDS = 12
+#: Chords of each curve that samples are taken from, and of a whole outline about, where it is of
+#: so many curves that each has fewer. More take seconds on an outline like a coast; with fewer the
+#: corners of what is seen are cut.
+CHORDS, MOST_CHORDS = 12, 20_000
 
 #: Cosine of the angle at which a line's end meets its start, from which on no join is seen there.
 SMOOTH = 0.9999
@@ -145,6 +147,8 @@ class Item:
 
         if not self.filled:
             return _painted_line(_polyline(self.outer), self.closed, self.style.stroke)
+        if self.closed and not self.holes:
+            return self.enclosed
         rings = [_polyline(ring) for ring in self.rings]
         polygon = shapely.Polygon(rings[0], rings[1:])
         return polygon if polygon.is_valid else shapely.make_valid(polygon)
@@ -311,7 +315,8 @@ def even_points(outline: Outline, count: int) -> Points:
 
 def _polyline(outline: Outline) -> Points:
     """Chords of an outline with its last point, (N, 2)."""
-    points = evaluate(outline.curves, np.arange(CHORDS) / CHORDS).reshape(-1, 2)
+    each = min(CHORDS, -(-MOST_CHORDS // len(outline.curves)))
+    points = evaluate(outline.curves, np.arange(each) / each).reshape(-1, 2)
     return np.concatenate([points, outline.curves[-1:, 3]])
 
 

@@ -10,8 +10,9 @@ from shapetween.model.outline import Outline
 
 __all__ = ["Pieces", "Places", "cut_alike", "run_between", "run_of"]
 
-#: Chords that each curve's length is taken from. Places only have to correspond, so a few do.
-CHORDS = 24
+#: Chords that each curve's length is taken from, and an outline's about, where it is of so many
+#: curves that each has fewer. Places only have to correspond, so a few do; more cost time.
+CHORDS, MOST_CHORDS = 24, 40_000
 
 #: Share of the length that a curve of no length counts as, so that every place has one curve.
 LEAST = 1e-9
@@ -44,19 +45,20 @@ class Places:
 
     def __init__(self, outline: Outline) -> None:
         self.outline = outline
-        points = evaluate(outline.curves, np.arange(CHORDS + 1) / CHORDS)
+        self._each = each = min(CHORDS, -(-MOST_CHORDS // len(outline.curves)))
+        points = evaluate(outline.curves, np.arange(each + 1) / each)
         steps = np.hypot(*np.moveaxis(np.diff(points, axis=1), -1, 0))
         total = float(steps.sum())
         steps = steps + LEAST * (total or 1.0)
         self._along = np.concatenate([[0.0], np.cumsum(steps.ravel())])
         self._along /= self._along[-1]
         self.length = total
-        self.joints = self._along[::CHORDS].copy()
+        self.joints = self._along[::each].copy()
 
     def locate(self, share: Floats) -> tuple[Index, Floats]:
         """Curve and parameter at shares of the length; a joint belongs to the curve after it."""
         s = share - np.floor(share) if self.outline.closed else np.clip(share, 0.0, 1.0)
-        place = np.interp(s, self._along, np.arange(len(self._along)) / CHORDS)
+        place = np.interp(s, self._along, np.arange(len(self._along)) / self._each)
         count = len(self.outline.curves)
         curve = np.minimum(place.astype(np.intp), count - 1)
         t = place - curve
@@ -68,9 +70,16 @@ class Places:
             curve = np.where(late, curve + 1, curve)
         return curve, np.where(late | (t < END), 0.0, t)
 
+    def at_joints(self, share: Floats) -> Floats:
+        """Shares of the length, those next to a joint that joint's own, to the last digit."""
+        after = np.clip(np.searchsorted(self.joints, share), 1, len(self.joints) - 1)
+        first, second = self.joints[after - 1], self.joints[after]
+        joint = np.where(share - first <= second - share, first, second)
+        return np.where(np.abs(joint - share) < SAME, joint, share)
+
     def share(self, curve: Index, t: Floats) -> Floats:
         """Share of the length at parameters of curves."""
-        whole = np.arange(len(self._along)) / CHORDS
+        whole = np.arange(len(self._along)) / self._each
         return np.asarray(np.interp(curve + t, whole, self._along))
 
     def point(self, share: Floats) -> Points:
@@ -80,7 +89,7 @@ class Places:
 
     def nearest(self, points: Points) -> Floats:
         """Shares of the length nearest to points (N, 2)."""
-        t = np.arange(CHORDS) / CHORDS
+        t = np.arange(self._each) / self._each
         chords = evaluate(self.outline.curves, t).reshape(-1, 2)
         ends = np.concatenate([chords[1:], self.outline.curves[-1:, 3]])
         step = ends - chords
@@ -163,12 +172,9 @@ def cut_alike(source: Places, target: Places, u: Floats, v: Floats) -> Pieces:
 def _parts(places: Places, shares: Floats) -> Curves:
     """Parts of an outline between shares (N + 1,) of its length, each within one curve."""
     curves = places.outline.curves
-    # A share next to a joint is the joint, to the last digit.
     turns = np.floor(shares) if places.outline.closed else np.zeros(len(shares))
     rest = shares - turns
-    near = np.abs(places.joints - rest[:, None])
-    best = near.argmin(axis=1)
-    rest = np.where(near.min(axis=1) < SAME, places.joints[best], rest)
+    rest = places.at_joints(rest)
     curve, t = places.locate(rest)
     count = len(curves)
     if not places.outline.closed:

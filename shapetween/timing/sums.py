@@ -17,6 +17,7 @@ rounded to a grid one easing after another, each making up for the rounding of t
 .. [Bab86] L. Babai, "On Lovász' lattice reduction and the nearest lattice point problem", 1986.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -103,7 +104,7 @@ def sum_of_easings(
     step: float,
     tolerance: float,
     importance: Floats,
-    most: int = MOST_TERMS,
+    most: Callable[[], int] = lambda: MOST_TERMS,
 ) -> EasingSum | None:
     """The shortest sum found that stays near a movement.
 
@@ -119,8 +120,8 @@ def sum_of_easings(
         Greatest distance allowed between a point and its place, before rounding.
     importance : (K,) float64
         What each point's distance counts.
-    most : int
-        How many easings are of use.
+    most : callable
+        Says how many easings are of use, at least one. Asked only where one is not enough.
 
     Returns
     -------
@@ -137,8 +138,8 @@ def sum_of_easings(
     if best is not None and len(best.easings) <= AT_ONCE:
         return best
     # Windows that are none lead the pursuit astray.
-    plain = task.solved((), most if best is None else min(most, len(best.easings)))
-    return plain or best
+    fewest = MOST_TERMS if best is None else len(best.easings)
+    return task.solved((), lambda: min(most(), fewest)) or best
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -152,7 +153,7 @@ class _Task:
     tolerance: float
     importance: Floats
 
-    def solved(self, turns: tuple[float, ...], most: int) -> EasingSum | None:
+    def solved(self, turns: tuple[float, ...], most: Callable[[], int]) -> EasingSum | None:
         """The shortest sum found with windows between some times; None if none is near enough."""
         count = len(self.moved)
         choices, shares = library(self.clock, turns)
@@ -160,7 +161,9 @@ class _Task:
         weights[-1] = END_WEIGHT
         rows = np.unique(np.append(np.arange(0, count, PURSUED), count - 1))
         pursuit = _Pursuit((shares * weights[:, None])[rows], (self.moved * weights[:, None])[rows])
-        for _ in range(min(most, MOST_TERMS, count - 1)):
+        for terms in range(1, min(MOST_TERMS, count - 1) + 1):
+            if terms > 1 and terms > most():
+                return None
             pursuit.add()
             off = self._off(shares[:, pursuit.chosen])
             if len(pursuit.chosen) > SOON and off.max() > HOPELESS * self.tolerance:
@@ -172,9 +175,9 @@ class _Task:
             if off.max() <= self.tolerance:
                 # Who sets off first takes the others along.
                 chosen = sorted(pursuit.chosen, key=lambda k: choices[k].window[0])
-                terms = self._rounded(shares[:, chosen])
-                if terms is not None:
-                    return EasingSum(tuple(choices[k] for k in chosen), terms)
+                rounded = self._rounded(shares[:, chosen])
+                if rounded is not None:
+                    return EasingSum(tuple(choices[k] for k in chosen), rounded)
         return None
 
     def _off(self, easings: Floats) -> Floats:

@@ -144,7 +144,7 @@ def test_smooth_movement_has_no_corners() -> None:
 def test_no_more_easings_are_sought_than_are_of_use() -> None:
     points = turning(2.1, CLOCK)
     weights = np.ones(points.shape[1])
-    assert sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights, 2) is None
+    assert sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights, lambda: 2) is None
 
 
 def test_what_stands_still_is_none() -> None:

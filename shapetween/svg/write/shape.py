@@ -7,6 +7,7 @@ Else, and where a number of keyframes is asked for, one animation runs through k
 """
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -81,7 +82,11 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
         return ShapeMotion(rest, ())
     importance = np.where(form.handles, HANDLE, 1.0)
     if clock.adaptive:
-        most = _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
+
+        @cache
+        def most() -> int:
+            return _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
+
         found = sum_of_easings(points, finer.clock, step, tolerance, importance, most)
         if found is not None:
             return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
