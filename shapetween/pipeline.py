@@ -76,7 +76,8 @@ class Options:
     flip : {"none", "b"}
         Whether the second drawing is mirrored about its upright axis first.
     pairing : {"normal", "loose", "strict"}
-        How readily parts become others instead of coming and going by themselves.
+        How readily parts become others instead of coming and going by themselves. Unless "loose",
+        drawings that have too little in common are exchanged as wholes.
     change : {"fade", "draw", "grow", "slide"} or None
         How parts without a partner come and go; None for each as it lies.
     effort : {"line", "plane", "full"}

@@ -284,7 +284,10 @@ _OPTIONS: tuple[Option, ...] = (
         "side there may be several, a:b1,b2, or none: a: goes and :b comes alone. Repeatable.",
     ),
     click.option(
-        "--loose", is_flag=True, help="Let parts become others more readily than come and go."
+        "--loose",
+        is_flag=True,
+        help="Let parts become others more readily than come and go, even those of drawings that "
+        "have little in common.",
     ),
     click.option("--strict", is_flag=True, help="Let parts come and go more readily."),
     click.option(
