@@ -21,7 +21,7 @@ from shapetween.scene.medial_axis import MedialAxis, medial_axis
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["CentreLine", "centre_lines"]
+__all__ = ["CentreLine", "centre_lines", "run_into"]
 
 #: Difference of the distance to the border from the median one, as a share of it, up to which a
 #: place of the axis lies on a centre line. Strokes' corners and crossings are beyond it.
@@ -198,7 +198,7 @@ def _ended(
             forward = curves if end == 1 else curves[::-1, ::-1]
             tip, ahead = forward[-1, 3], end_tangents(forward[-1])[1]
             own = _without_end(forward, CLEAR * half)
-            meet = _run_into(tip, ahead, [*others, *own], half)
+            meet = run_into(tip, ahead, [*others, *own], half)
             if meet is not None:
                 forward = _lengthened(forward, meet, half)
             curves = forward if end == 1 else forward[::-1, ::-1]
@@ -217,12 +217,14 @@ def _without_end(curves: Curves, length: float) -> "list[shapely.LineString]":
     return [substring(line, 0.0, line.length - length)]
 
 
-def _run_into(
+def run_into(
     tip: Points, ahead: Points, others: "list[shapely.LineString]", half: float
 ) -> Points | None:
     """Where a line that goes straight ahead first meets another, or comes nearest to one."""
     import shapely
 
+    if not others:  # one line, too short to end on itself
+        return None
     ray = shapely.LineString([tip, tip + 4 * half * ahead])
     union = shapely.union_all(others)
     crossing = shapely.get_coordinates(ray.intersection(union))

@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from shapetween.model.outline import Outline
-from shapetween.scene.centrelines import centre_lines
+from shapetween.scene.centrelines import centre_lines, run_into
 from tests.scene.strokes import arc, flat, painted, polyline
 
 CHECK = [polyline((4, 13), (9, 18), (20, 6))]
@@ -98,3 +98,10 @@ BODIES = {
 @pytest.mark.parametrize("name", BODIES)
 def test_bodies_have_none(name: str) -> None:
     assert centre_lines(BODIES[name]) is None
+
+
+def test_a_line_that_is_all_there_is_runs_into_nothing() -> None:
+    place, ahead = np.array([1.0, 2.0]), np.array([1.0, 0.0])
+    assert run_into(place, ahead, [], 0.5) is None
+    meet = run_into(place, ahead, [shapely.LineString([(2, 0), (2, 4)])], 0.5)
+    np.testing.assert_allclose(meet, [2.0, 2.0])
