@@ -104,4 +104,5 @@ def test_a_line_that_is_all_there_is_runs_into_nothing() -> None:
     place, ahead = np.array([1.0, 2.0]), np.array([1.0, 0.0])
     assert run_into(place, ahead, [], 0.5) is None
     meet = run_into(place, ahead, [shapely.LineString([(2, 0), (2, 4)])], 0.5)
-    np.testing.assert_allclose(meet, [2.0, 2.0])
+    assert meet is not None
+    np.testing.assert_allclose(meet, np.array([2.0, 2.0]))
