@@ -231,8 +231,7 @@ def morph(
     flip : {"none", "b"}
         "b" mirrors the second drawing about its upright axis first.
     pairing : {"normal", "loose", "strict"}
-        How readily parts become others instead of coming and going by themselves. Unless "loose",
-        drawings that have too little in common are exchanged as wholes.
+        How readily parts become others; unless "loose", unlike drawings are exchanged as wholes.
     change : {"fade", "draw", "grow", "slide"}, optional
         How parts without a partner come and go; each as it lies if left out.
     effort : {"full", "plane", "line"}
