@@ -240,6 +240,7 @@ def _moved(
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
         with settings.observe("perceive"):
             kept = kept_areas(one, other, asked.groups)
+        more = (*more, *kept.notices)
         if kept.areas:
             one, other = as_lines(kept.first, kept.second)
             scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)

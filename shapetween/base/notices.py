@@ -18,6 +18,12 @@ Kind: TypeAlias = Literal[
     "bare-mesh",
     "too-many-pieces",
     "too-many-holes",
+    "hole-alone",
+    "apart",
+    "one-setting",
+    "too-many-parts",
+    "by-corners",
+    "stroke-outline",
     "facing",
     "exchanged",
     "other",
@@ -29,7 +35,11 @@ replaced by what it shows. uncertain: matched with little certainty. other-match
 matching was taken. parted: strands that would cross are kept apart. crossing, details-touch:
 outlines or small details of them cross on the way. coarse: matched or moved by a simplified
 outline. bare-mesh: nothing keeps the outline from folding. too-many-pieces, too-many-holes: some
-are moved more simply. facing: the drawings seem to face opposite ways. exchanged: the drawings have
+are moved more simply. hole-alone: a hole that has a counterpart cannot be matched with it. apart:
+pieces are not kept from each other. one-setting: less is tried to keep an outline from crossing.
+too-many-parts: some of what is seen of smaller drawings is not looked for. by-corners: an outline
+moves by its corners where a mesh was due. stroke-outline: the area of a stroke does not follow its
+line. facing: the drawings seem to face opposite ways. exchanged: the drawings have
 too little in common for their parts to become each other.
 """
 

@@ -7,9 +7,17 @@ import numpy as np
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
 from shapetween.base.errors import OutlineError
-from shapetween.base.notices import Kind, Notice
+from shapetween.base.notices import Notice
 from shapetween.base.ranking import comparable
 from shapetween.fill.appearing import AppearingRegion, Ground
+from shapetween.fill.notices import (
+    crossing_notices,
+    facing_notices,
+    fallback_notices,
+    hole_notices,
+    too_many_pieces,
+    uncertain,
+)
 from shapetween.fill.pairing import Thing, pair_things
 from shapetween.fill.regions import Region, regions_of
 from shapetween.fill.settings import FillSettings
@@ -17,7 +25,6 @@ from shapetween.fill.small import blend_small
 from shapetween.fill.splitting import split_alike
 from shapetween.fill.track import FillTrack
 from shapetween.geometry.rotation import rotations
-from shapetween.match import Matcher
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.outline.alone import looked_at, moved_alone
@@ -91,16 +98,7 @@ def morph_fill(
     unmatched: list[tuple[Region, End, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
     if len(pairing.pairs) > MOST_MESHED:
-        more = len(small)
-        notices.append(
-            Notice(
-                "too-many-pieces",
-                f"{more} of {len(pairing.pairs)} pieces are too many or too small for meshes",
-                name,
-                "they move straight",
-                severity="note",
-            )
-        )
+        notices.append(too_many_pieces(len(small), len(pairing.pairs), name))
     corners = _shared_corners([i for i, _ in meshed], before)
     lone = alone and len(before) == len(after) == 1
     given = settings.given_to(name, [(before[i], after[j]) for i, j in meshed], lone=lone)
@@ -119,20 +117,17 @@ def morph_fill(
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
+            notices.append(uncertain(alone=lone))
+        if lone and not own.settles and outer.pair is not None:
+            notices += facing_notices(outer)
+        holes, others, failed = _matched_holes(before[i], after[j], outer, own.holes, settings)
+        if failed:
             notices.append(
                 Notice(
-                    "uncertain",
-                    "matched with little certainty",
-                    instead="'shapetween alternatives' shows what else it may be, to be taken with "
-                    "--matching, and --pin corrects it"
-                    if lone
-                    else "look at the matching with 'shapetween mesh' and correct it with --pin",
+                    "hole-alone", f"{failed} holes cannot be matched", name, "they close and open"
                 )
             )
-        if lone and not own.settles and outer.pair is not None:
-            notices += _of_facing(outer)
-        holes, others = _matched_holes(before[i], after[j], outer, own.holes, settings)
-        notices += _of_limits(before[i], after[j], name)
+        notices += hole_notices(before[i], after[j], MOST_HOLES, name)
         unmatched += [(Region(hole), end, len(bodies)) for hole, end in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
@@ -156,7 +151,9 @@ def morph_fill(
             on = grounds[0] if len(grounds) == 1 else None
             appearing += [AppearingRegion.of(side[k].outer, side[k].holes, end, on) for k in only]
     if settings.folds == "prevent":
-        notices += [*_of_crossings(carried, name), *_of_fallbacks(carried, name)]
+        notices += [*crossing_notices(carried, name), *fallback_notices(carried, name)]
+        if settings.effort == "full":
+            notices += _limit_notices(bodies, name)
     track = FillTrack(name, tuple(carried), tuple(appearing), contours)
     return track, tuple(notices)
 
@@ -172,91 +169,6 @@ def _divided(
         parts = split_alike(after[0], before)
         return None if parts is None else (before, parts)
     return None
-
-
-def _of_facing(outer: RingMatch) -> list[Notice]:
-    """What to tell of two outlines that seem to face opposite ways."""
-    if outer.coarse or not Matcher(outer.source, outer.target).faces_other_way(outer.matching):
-        return []
-    remedy = "--flip b mirrors the second one"
-    return [Notice("facing", f"the drawings seem to face opposite ways; {remedy}")]
-
-
-def _of_crossings(bodies: list[Carried], name: str) -> list[Notice]:
-    """What to tell of outlines that cross on the way: of the worst body of each kind."""
-    kinds: tuple[tuple[bool, Kind, str, str], ...] = (
-        (False, "crossing", "the outline crosses itself", "pins on the parts that cross may help"),
-        (
-            True,
-            "details-touch",
-            "small details of the outline run into each other",
-            "its large parts do not",
-        ),
-    )
-    notices = []
-    for detail, kind, text, more in kinds:
-        seen = [body for body in bodies if body.crossing and not body.seen.nothing]
-        crossing = [body for body in seen if body.detail == detail]
-        if crossing:
-            worst = max(crossing, key=lambda body: body.crossing / body.checked)
-            wide = f"by {1000 * worst.seen.width:.2g} of 1000 pixels"
-            often = f"at {worst.crossing} of {worst.checked} times on the way, {wide}"
-            notices.append(Notice(kind, f"{text} {often}", name, more))
-    return notices
-
-
-def _of_fallbacks(bodies: list[Carried], name: str) -> list[Notice]:
-    """What to tell of outlines that are not moved as outlines otherwise are."""
-    notices = []
-    if any(body.other_matching for body in bodies):
-        notices.append(
-            Notice(
-                "other-matching",
-                "the best matching makes the outline cross itself on the way",
-                name,
-                "another is taken that costs little more",
-            )
-        )
-    if any(body.parted for body in bodies):
-        notices.append(
-            Notice(
-                "parted",
-                "parts of the outline would run into each other on the way",
-                name,
-                "they are kept apart",
-                "note",
-            )
-        )
-    if any(body.bare for body in bodies):
-        notices.append(
-            Notice("bare-mesh", "nothing keeps the outline from folding", name, "its mesh moves it")
-        )
-    if any(ring.coarse for body in bodies for ring in body.nodes.rings):
-        notices.append(
-            Notice(
-                "coarse",
-                "an outline of so many curves is matched and moved by a simpler one",
-                name,
-                "its details go along",
-                severity="note",
-            )
-        )
-    return notices
-
-
-def _of_limits(first: Region, second: Region, name: str) -> list[Notice]:
-    """What to tell of more holes than are matched."""
-    most = min(len(first.holes), len(second.holes))
-    if most <= MOST_HOLES:
-        return []
-    return [
-        Notice(
-            "too-many-holes",
-            f"a piece has {most} holes, of which {MOST_HOLES} become holes of the other",
-            name,
-            "the rest close and open",
-        )
-    ]
 
 
 def _shared_corners(chosen: list[int], pieces: tuple[Region, ...]) -> dict[int, int]:
@@ -306,8 +218,11 @@ def _matched_holes(
     outer: RingMatch,
     pins: Mapping[tuple[int, int], Points],
     settings: FillSettings,
-) -> tuple[list[RingMatch], list[tuple[Outline, End]]]:
-    """Holes matched by pins or where the outer rings' own movement puts them, and those left."""
+) -> tuple[list[RingMatch], list[tuple[Outline, End]], int]:
+    """Holes matched by pins or where the outer rings' own movement maps them, and those left.
+
+    And how many pairs of those cannot be matched.
+    """
     angle, stretch = affine_between(outer.samples.source, outer.samples.target)
     linear = rotations(np.asarray(angle)) @ stretch
     means = outer.samples.source.mean(axis=0), outer.samples.target.mean(axis=0)
@@ -321,17 +236,18 @@ def _matched_holes(
     free = np.array([pair not in pins for pair in pairing.pairs], dtype=bool)
     order = np.lexsort((-sizes, free)).tolist()
     chosen = sorted(pairing.pairs[k] for k in order[:MOST_HOLES])
-    matched, alone = [], []
+    matched, alone, failed = [], [], 0
     for i, j in chosen:
         ends = first.holes[i], second.holes[j]
         try:
             matched.append(match_hole(*ends, float(angle), settings.observe, pins.get((i, j))))
         except OutlineError:
             alone += [(ends[0], End.SOURCE), (ends[1], End.TARGET)]
+            failed += 1
     for side, holes in enumerate((first.holes, second.holes)):
         known = {pair[side] for pair in chosen}
         alone += [(hole, End(side)) for k, hole in enumerate(holes) if k not in known]
-    return matched, alone
+    return matched, alone, failed
 
 
 def _moved(
@@ -353,14 +269,14 @@ def _moved(
         together = straightened(unfolded(every, settings.method))
         if not together.crossing or together.detail:
             return [looked_at(together)], [0] * len(bodies)
-    curves = sum(len(r.source.curves) + len(r.target.curves) for rings in bodies for r in rings)
+    rough = _curves(bodies) > MANY_CURVES
     alone = [
         moved_alone(
             rings,
             settings.method,
             settings.quads,
             settings.observe,
-            rough=curves > MANY_CURVES,
+            rough=rough,
             settled=rings[0].found == "given" or settled,
         )
         for rings in bodies
@@ -368,3 +284,20 @@ def _moved(
     if together is not None and together.crossing <= sum(body.crossing for body in alone):
         return [looked_at(together)], [0] * len(bodies)
     return alone, each
+
+
+def _curves(bodies: list[list[RingMatch]]) -> int:
+    """How many curves all rings have at both ends."""
+    return sum(len(r.source.curves) + len(r.target.curves) for rings in bodies for r in rings)
+
+
+def _limit_notices(bodies: list[list[RingMatch]], name: str) -> list[Notice]:
+    """What to tell of limits on what is done to keep outlines from crossing."""
+    notices = []
+    if len(bodies) > MOST_TOGETHER:
+        text = f"{len(bodies)} pieces are too many to be kept apart from each other"
+        notices.append(Notice("apart", text, name, "each moves by itself", "note"))
+    if _curves(bodies) > MANY_CURVES:
+        text = "an outline of so many curves leaves time for one setting"
+        notices.append(Notice("one-setting", text, name, "the first is taken", "note"))
+    return notices

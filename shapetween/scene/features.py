@@ -14,10 +14,10 @@ from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene, in_common
 from shapetween.scene.sets import REPEATED, Sets
 
-__all__ = ["Feature", "Features", "features_of"]
+__all__ = ["MOST_ITEMS", "Feature", "Features", "features_of"]
 
 #: Most items of a drawing that is looked at for faces and wheels. Maps and crowds have none.
-MOST = 120
+MOST_ITEMS = 120
 
 #: How much two of a row differ at most: height as a share of their size, logarithm of sizes, sum of
 #: colours; and what their pictures, one of them mirrored, have in common at least.
@@ -113,7 +113,7 @@ def features_of(scene: Scene, repeated: Sets) -> Features:
     count = len(scene.items)
     kinds, sides = np.zeros(count, dtype=np.intp), np.zeros(count, dtype=np.intp)
     found = Features(kinds, sides, np.full(count, -1, dtype=np.intp), _body(scene))
-    if count <= MOST:
+    if count <= MOST_ITEMS:
         sides_of_boxes = np.array([np.ptp(item.box, axis=0) for item in scene.items])
         ancestors = _ancestors(scene)
         rows = _rows(scene, repeated.counts >= REPEATED, ancestors, found.body)

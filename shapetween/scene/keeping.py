@@ -9,13 +9,13 @@ from shapetween.scene.motion.carried import Carried, Tie, Tied
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.relations import Scene
 
-__all__ = ["kept_to"]
+__all__ = ["MOST_ENDS", "kept_to"]
 
 #: Distance of a line's end from what it lies on, in widths.
 ON = 0.35
 
-#: Distance of an outline from the area's own border, as a share of the drawing, within which it
-#: simply moves as the area does.
+#: Most pairs of a drawing of which lines keep to what they end on: each end is looked for on all
+#: other lines. Fewer, and the lines of a large icon come apart; more take longer than is worth it.
 MOST_ENDS = 400
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from shapetween.base.arrays import Curves
 from shapetween.base.ends import End
+from shapetween.base.notices import Notice
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.model.part import CurveTrack, Part
@@ -12,13 +13,15 @@ from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Framed
 from shapetween.scene.places import Places, cut_alike
 from shapetween.scene.presence import Carry, Leaving, LeavingPaint, LeavingTrack
-from shapetween.scene.strokes import stroked_leaving
+from shapetween.scene.strokes import stroke_notice, stroked_leaving
 
 __all__ = ["unmatched_part"]
 
 
-def unmatched_part(item: Item, going: Going, end: End, frame: Frame | None) -> Part:
-    """The part of an item without a partner.
+def unmatched_part(
+    item: Item, going: Going, end: End, frame: Frame | None
+) -> tuple[Part, tuple[Notice, ...]]:
+    """The part of an item without a partner, and what there is to tell.
 
     Parameters
     ----------
@@ -36,7 +39,7 @@ def unmatched_part(item: Item, going: Going, end: End, frame: Frame | None) -> P
         return Part(item.name, (seen,), LeavingPaint(style, leaving, end, seen), end)
 
     if painted is not None and leaving.kept is None and fold is None:  # nothing asks for its line
-        return part(_rings(painted.rings, leaving, end, carries), painted.style, leaving)
+        return part(_rings(painted.rings, leaving, end, carries), painted.style, leaving), ()
     rings = [ring.curves for ring in item.rings]
     closed = tuple(ring.closed for ring in item.rings)
     if item.filled:
@@ -47,12 +50,13 @@ def unmatched_part(item: Item, going: Going, end: End, frame: Frame | None) -> P
         rings = [fold.pieces.source]
     lines = LeavingTrack(tuple(rings), closed, leaving, end, carries, fold)
     if painted is None:
-        return part(lines, item.style, leaving)
+        return part(lines, item.style, leaving), ()
     stroked = stroked_leaving(lines, painted)
     if stroked is not None:
-        return part(stroked, painted.style, leaving)
+        return part(stroked, painted.style, leaving), ()
     shrinking = Leaving(leaving.window, item.centre)
-    return part(_rings(painted.rings, shrinking, end, carries[:1]), painted.style, shrinking)
+    alone = part(_rings(painted.rings, shrinking, end, carries[:1]), painted.style, shrinking)
+    return alone, (stroke_notice(item.name, "it shrinks"),)
 
 
 def _rings(

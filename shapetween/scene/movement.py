@@ -23,9 +23,10 @@ from shapetween.scene.exchange import (
     exchange_goings,
     exchange_roles,
 )
+from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
-from shapetween.scene.keeping import kept_to
+from shapetween.scene.keeping import MOST_ENDS, kept_to
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
 from shapetween.scene.lone import unmatched_part
@@ -35,7 +36,7 @@ from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
-from shapetween.scene.strokes import as_painted
+from shapetween.scene.strokes import MOST_AREAS, as_painted, stroke_notice, too_many_areas
 
 __all__ = ["SceneMovement", "move_scene"]
 
@@ -161,11 +162,14 @@ def move_scene(
             goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
         parts: list[Part] = []
         named: set[str] = set()
-        for part in joined_parts(
+        drawn = [
             _part(layer, a, b, roles, tracks, goings, frame) for layer in layers_of(a, b, roles)
-        ):
+        ]
+        for part in joined_parts((part, paint) for part, paint, _ in drawn):
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
+    said += [notice for _, _, notices in drawn for notice in notices]
+    said += _limits(a, b, roles)
     return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
 
 
@@ -198,15 +202,31 @@ def _part(
     tracks: dict[int, tuple[CurveTrack, ...]],
     goings: tuple[dict[int, Going], dict[int, Going]],
     frame: Frame | None,
-) -> tuple[Part, PairPaint | None]:
+) -> tuple[Part, PairPaint | None, tuple[Notice, ...]]:
     if layer.pair is not None:
         role = roles.pairs[layer.pair]
         one, other = of_one_kind(a.items[role.first], b.items[role.second])
         one, other, found = as_painted(one, other, tracks[layer.pair])
-        return pair_part(one, other, found, frame, layer)
+        told: tuple[Notice, ...] = ()
+        if not one.filled and (one.painted is not None or other.painted is not None):
+            told = (stroke_notice(one.name or other.name, "it is drawn as a line of one width"),)
+        return *pair_part(one, other, found, frame, layer), told
     if layer.leaver is not None:
-        return unmatched_part(
-            a.items[layer.leaver], goings[0][layer.leaver], End.SOURCE, frame
-        ), None
-    assert layer.comer is not None
-    return unmatched_part(b.items[layer.comer], goings[1][layer.comer], End.TARGET, frame), None
+        item, going, end = a.items[layer.leaver], goings[0][layer.leaver], End.SOURCE
+    else:
+        assert layer.comer is not None
+        item, going, end = b.items[layer.comer], goings[1][layer.comer], End.TARGET
+    part, told = unmatched_part(item, going, end, frame)
+    return part, None, told
+
+
+def _limits(a: Scene, b: Scene, roles: Roles) -> list[Notice]:
+    """What to tell where there is too much for all that is done with few parts."""
+    found = []
+    if any(too_many_areas(scene.items) for scene in (a, b)):
+        found.append(f"of more than {MOST_AREAS} areas none is looked for strokes")
+    if max(len(a.items), len(b.items)) > MOST_ITEMS:
+        found.append(f"of more than {MOST_ITEMS} parts none is looked for faces and wheels")
+    if len(roles.pairs) > MOST_ENDS:
+        found.append(f"of more than {MOST_ENDS} pairs lines do not keep to what they end on")
+    return [Notice("too-many-parts", text, severity="note") for text in found]

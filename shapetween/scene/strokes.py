@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
+from shapetween.base.notices import Notice
 from shapetween.fill.regions import Region
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Stroke, Style
@@ -20,11 +21,14 @@ from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 from shapetween.scene.stroke_outline import StrokeOutline, stroke_outline
 
 __all__ = [
+    "MOST_AREAS",
     "StrokedTrack",
     "as_lines",
     "as_painted",
     "line_of",
+    "stroke_notice",
     "stroked_leaving",
+    "too_many_areas",
 ]
 
 #: Most curves of an area that is looked at for centre lines, and most areas of a drawing: icons
@@ -70,6 +74,11 @@ def as_lines(
             items += [line_of(stroke, item) for stroke in strokes.get(j, ())] or [item]
         result.append(tuple(items))
     return result[0], result[1]
+
+
+def too_many_areas(items: Sequence[Item]) -> bool:
+    """Whether some items have so many areas that none is looked for strokes."""
+    return len(items) > MOST_AREAS and sum(map(_plain, items)) > MOST_AREAS
 
 
 def _strokes(items: Sequence[Item]) -> dict[int, tuple[OutlinedStroke, ...]]:
@@ -174,6 +183,11 @@ def as_painted(
         return first, second, tracks
     first, second = (replace(item, style=_painted_style(item)) for item in (first, second))
     return first, second, (StrokedTrack(line, (bound,)),)
+
+
+def stroke_notice(name: str, instead: str) -> Notice:
+    """What to tell where the area of a stroke is not moved along with its line."""
+    return Notice("stroke-outline", "the area of a stroke cannot follow its line", name, instead)
 
 
 def _rings(line: Outline, item: Item) -> tuple[Outline, ...] | None:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from shapetween.base.errors import MeshError
+from shapetween.base.errors import MeshError, OutlineError
 from shapetween.base.notices import Notice
 from shapetween.base.observe import unobserved
 from shapetween.fill import morph
@@ -74,3 +74,28 @@ def test_more_pieces_than_get_meshes_are_told(monkeypatch: pytest.MonkeyPatch) -
     _, said = morph_fill(first.shapes[0], second.shapes[0], settings, ("a", "b"), alone=True)
     notices = {notice.kind: notice for notice in said}
     assert notices["too-many-pieces"].severity == "note"
+
+
+def test_holes_that_cannot_be_matched_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing(*_: object) -> None:
+        raise OutlineError("too thin")
+
+    monkeypatch.setattr(morph, "match_hole", failing)
+    first = drawing(square(10, 10, 80), square(30, 30, 15).reversed())
+    second = drawing(square(12, 10, 76), square(34, 30, 15).reversed())
+    prepared = prepare(first, second, Options(together=False))
+    assert "hole-alone" in kinds(prepared.notices)
+
+
+@pytest.mark.parametrize(
+    ("limit", "most", "kind"), [("MOST_TOGETHER", 1, "apart"), ("MANY_CURVES", 7, "one-setting")]
+)
+def test_less_care_of_many_pieces_or_curves_is_told(
+    monkeypatch: pytest.MonkeyPatch, limit: str, most: int, kind: str
+) -> None:
+    monkeypatch.setattr(morph, limit, most)
+    first = drawing(square(0, 0, 20), square(50, 50, 30))
+    second = drawing(square(0, 5, 20), square(50, 45, 30))
+    settings = FillSettings("projective", "prevent", None, np.zeros((0, 4)), [], unobserved)
+    _, said = morph_fill(first.shapes[0], second.shapes[0], settings, ("a", "b"), alone=True)
+    assert {notice.severity for notice in said if notice.kind == kind} == {"note"}

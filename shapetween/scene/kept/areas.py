@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.notices import Notice
 from shapetween.boolean.chords import chords_of
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
@@ -81,11 +82,13 @@ class Kept:
     first, second : tuple of Item
         Without those that are part of a kept area and do not stand for it.
     areas : tuple of KeptArea
+    notices : tuple of Notice
     """
 
     first: tuple[Item, ...]
     second: tuple[Item, ...]
     areas: tuple[KeptArea, ...] = ()
+    notices: tuple[Notice, ...] = ()
 
 
 def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[Group] = ()) -> Kept:
@@ -102,7 +105,8 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     scale = _scale(sides)
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
-    looked = [found for f in _families(sides) if (found := _look(sides, f, scale)) is not None]
+    families = _families(sides)
+    looked = [found for f in families if (found := _look(sides, f, scale)) is not None]
     bars = [bar for found in looked for bar in found.bars]
     for found in looked:
         if _divides(found, REACH * scale):
@@ -127,7 +131,27 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
         tuple(i for i in (changed.get(k, item) for k, item in enumerate(side)) if i is not None)
         for changed, side in zip(now, sides, strict=True)
     ]
-    return Kept(left[0], left[1], tuple(areas))
+    return Kept(left[0], left[1], tuple(areas), _limits(sides, families))
+
+
+def _limits(
+    sides: tuple[Sequence[Item], Sequence[Item]], families: Sequence[Family]
+) -> tuple[Notice, ...]:
+    """What to tell where there is too much to look for what stays of it."""
+    most = max(sum(item.plain for item in side) for side in sides)
+    if most > MOST_AREAS:
+        text = f"of {most} areas, more than {MOST_AREAS}, what stays in part is not looked for"
+    elif any(_curves(sides, family) > MOST_CURVES for family in families):
+        text = f"of areas of more than {MOST_CURVES} curves what stays in part is not looked for"
+    else:
+        return ()
+    return (Notice("too-many-parts", text, instead="each moves as a whole", severity="note"),)
+
+
+def _curves(sides: tuple[Sequence[Item], Sequence[Item]], family: Family) -> int:
+    """How many curves the items of a family have."""
+    items = (side[k] for side, own in zip(sides, family, strict=True) for k in own)
+    return sum(len(ring.curves) for item in items for ring in item.rings)
 
 
 def _agrees(
@@ -206,7 +230,7 @@ def _look(
 ) -> _Looked | None:
     """Which items of a family are kept, with what comes and goes of them."""
     items = [[sides[k][n] for n in family[k]] for k in (0, 1)]
-    if sum(len(r.curves) for own in items for item in own for r in item.rings) > MOST_CURVES:
+    if _curves(sides, family) > MOST_CURVES:
         return None
     reach = REACH * scale
     found = snapped(_rings(items[0]), _rings(items[1]), reach)

@@ -170,8 +170,9 @@ def _closed(
         return simple, ()
     try:
         by_engine, said = elastic(ends, settings, names)
-    except OutlineError:
-        return simple, ()
+    except OutlineError as error:
+        name = first.name or second.name
+        return simple, (Notice("by-corners", str(error), name, "it moves by its corners"),)
     if calm.plain and calm_of(by_engine[0]).waves > calm.waves:
         return simple, ()
     return by_engine, said

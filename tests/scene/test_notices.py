@@ -1,0 +1,103 @@
+"""What is done with few parts, and not with many, is told; so is what is done another way."""
+
+from pathlib import Path
+
+import pytest
+
+import shapetween as st
+from shapetween.base.errors import OutlineError
+from shapetween.base.notices import Notice
+from shapetween.scene import keeping, lone, movement, strokes
+from shapetween.scene.kept import areas
+from shapetween.scene.motion import choose
+
+ICON = 'fill="none" stroke="#000" stroke-width="2"'
+INPUTS = Path(__file__).resolve().parents[2] / "gallery/inputs"
+DOT = '<circle cx="2" cy="2" r="1" fill="#f00"/>'
+SOLID = '<path d="M3 3h18v12h-6v6h-6v-6h-6z"/>'
+#: A check mark and an arrow's head, as areas.
+CHECK = '<path d="M4 12l1.4-1.4L10 15.2 18.6 6.6 20 8 10 18z"/><path d="M2 21h20v1h-20z"/>'
+HEAD = '<path d="M5 10l1.4-1.4L12 14.2l5.6-5.6L19 10l-7 7z"/><path d="M2 21h20v1h-20z"/>'
+
+
+def told(tmp_path: Path, first: str, second: str, style: str = "") -> dict[str, Notice]:
+    paths = []
+    for name, inner in (("a.svg", first), ("b.svg", second)):
+        paths.append(tmp_path / name)
+        text = inner
+        if not inner.startswith("<svg"):
+            root = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {style}>'
+            text = f"{root}{inner}</svg>"
+        paths[-1].write_text(text, "utf-8")
+    return {notice.kind: notice for notice in st.morph(*paths).prepared.notices}
+
+
+def test_icons_have_nothing_to_tell(tmp_path: Path) -> None:
+    assert not told(tmp_path, CHECK, HEAD)
+    assert not told(tmp_path, SOLID, SOLID + '<path fill="#fff" d="M5 5h3v3h-3z"/>')
+
+
+@pytest.mark.parametrize("limit", ["MOST_AREAS", "MOST_CURVES"])
+def test_areas_too_many_to_be_kept_in_part(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limit: str
+) -> None:
+    monkeypatch.setattr(areas, limit, 0)
+    notice = told(tmp_path, SOLID, SOLID + '<path d="M22 22h1v1h-1z"/>')["too-many-parts"]
+    assert notice.severity == "note"
+    assert "stays" in notice.message
+
+
+def test_areas_too_many_to_be_looked_for_strokes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (strokes, movement):
+        monkeypatch.setattr(module, "MOST_AREAS", 0)
+    assert "strokes" in told(tmp_path, CHECK, HEAD)["too-many-parts"].message
+
+
+@pytest.mark.parametrize(
+    ("module", "limit", "says"),
+    [(movement, "MOST_ITEMS", "faces"), (keeping, "MOST_ENDS", "lines")],
+)
+def test_parts_too_many_for_what_is_done_with_few(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: object, limit: str, says: str
+) -> None:
+    for one in (module, movement):
+        monkeypatch.setattr(one, limit, 0)
+    lines = '<path d="M4 5h16"/><path d="M4 12h16"/>'
+    moved = '<path d="M4 7h16"/><path d="M4 14h12"/>'
+    assert says in told(tmp_path, lines, moved, ICON)["too-many-parts"].message
+
+
+def test_a_stroke_whose_area_does_not_follow_its_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(strokes, "stroke_outline", lambda *_: None)
+    notice = told(tmp_path, CHECK, HEAD)["stroke-outline"]
+    assert "line of one width" in str(notice)
+    assert notice.severity == "warning"
+
+
+def test_a_stroke_that_goes_and_whose_area_does_not_follow_its_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lone, "stroked_leaving", lambda *_: None)
+    bar = '<path d="M2 21h20v1h-20z"/>'
+    found = told(tmp_path, CHECK, CHECK.replace(bar, "") + '<path d="M3 3h3v3h-3z"/>')
+    assert "it shrinks" in str(found["stroke-outline"])
+
+
+def test_an_outline_without_a_mesh_moves_by_its_corners(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(*_: object) -> None:
+        raise OutlineError("nothing is enclosed")
+
+    monkeypatch.setattr(choose, "elastic", failing)
+    leaf, monstera = (
+        (INPUTS / f"{name}.svg").read_text("utf-8").replace("</svg>", DOT + "</svg>")
+        for name in ("maple-leaf", "monstera-leaf")
+    )
+    notice = told(tmp_path, leaf, monstera)["by-corners"]
+    assert notice.message == "nothing is enclosed"
+    assert "corners" in notice.instead
