@@ -27,7 +27,12 @@ def draw() -> list[Exhibit]:
     shown = (
         ("Figure 6: planes in a picture", boards, "image_signpost.webp", "Boards of a sign post"),
         ("Beyond the paper: outlines over pictures", fruit, "image_fruit.webp", "Apple and pear"),
-        ("Beyond the paper: fills that ride", fills, "image_fills.webp", "Two patterned fish"),
+        (
+            "Beyond the paper: fills that move too",
+            fills,
+            "image_fills.webp",
+            "Two patterned fish",
+        ),
     )
     return [
         Exhibit(title, text, (Picture(name, HERE / name, shows),))

@@ -156,7 +156,7 @@ def test_newcomers_stand_above_what_they_stand_above_and_leavers_stay_in_place()
 
 
 def test_a_hole_that_arrives_stays_inside_the_moving_body() -> None:
-    """The body goes across the page and turns; the hole that opens in it rides along."""
+    """The body goes across the page and turns; the hole that opens in it is attached to it."""
     bar = ring([(10, 10), (40, 10), (40, 20), (10, 20)])
     upright = ring([(70, 40), (80, 40), (80, 80), (70, 80)])
     hole = square(72, 70, 5)
@@ -276,7 +276,7 @@ def test_any_simple_polygons(seed: int, first: int, second: int) -> None:
 def test_a_hole_that_crosses_itself_while_it_closes_is_told(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A hole without a partner rides on the plane, which holds only what it was built around."""
+    """A hole without counterpart is bound to the ambient mesh; outside it stays in place."""
     first = drawing(area(square(0, 0, 30), square(10, 10, 8).reversed()))
     second = drawing(area(square(0, 0, 30).transformed(np.array([[1, 0.2, 0], [0.4, 1, 0]]))))
     assert not any("ride" in w for w in prepare(first, second).warnings)

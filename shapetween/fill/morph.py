@@ -78,8 +78,8 @@ def morph_fill(
     """
     name = first.name or second.name
     with settings.observe("regions"):
-        before, told_a = regions_of(first, _called(first, names[0]))
-        after, told_b = regions_of(second, _called(second, names[1]))
+        before, notices_a = regions_of(first, _called(first, names[0]))
+        after, notices_b = regions_of(second, _called(second, names[1]))
         boxes = np.array([region.outer.box for region in (*before, *after)])
         scale = float(np.linalg.norm(np.ptp(boxes, axis=(0, 1))))
         divided = None
@@ -93,15 +93,15 @@ def morph_fill(
         pairing = pair_things(
             [_thing(r) for r in before], [_thing(r) for r in after], scale, fixed=fixed
         )
-    notices = [*told_a, *told_b]
+    notices = [*notices_a, *notices_b]
     bodies: list[list[RingMatch]] = []
     unmatched: list[tuple[Region, End, int]] = []
     meshed, small = _by_size(pairing.pairs, before, after)
     if len(pairing.pairs) > MOST_MESHED:
         notices.append(too_many_pieces(len(small), len(pairing.pairs), name))
     corners = _shared_corners([i for i, _ in meshed], before)
-    lone = alone and len(before) == len(after) == 1
-    given = settings.given_to(name, [(before[i], after[j]) for i, j in meshed], lone=lone)
+    single = alone and len(before) == len(after) == 1
+    given = settings.given_to(name, [(before[i], after[j]) for i, j in meshed], alone=single)
     for (i, j), own in zip(meshed, given, strict=True):
         outer = match_outer(
             before[i].outer,
@@ -117,8 +117,8 @@ def morph_fill(
         )
         # Of a drawing of many shapes each one's matching matters little, and few could be pinned.
         if alone and outer.matching.confidence == "unsure":
-            notices.append(uncertain(alone=lone))
-        if lone and not own.settles and outer.pair is not None:
+            notices.append(uncertain(alone=single))
+        if single and not own.decides and outer.pair is not None:
             notices += facing_notices(outer)
         holes, others, failed = _matched_holes(before[i], after[j], outer, own.holes, settings)
         if failed:
@@ -131,8 +131,8 @@ def morph_fill(
         unmatched += [(Region(hole), end, len(bodies)) for hole, end in others]
         bodies.append([outer, *holes])
     with settings.observe("move"):
-        settled = any(own.settles for own in given)
-        carried, holder = _moved(bodies, settings, settled, touching=divided is not None)
+        decided = any(own.decides for own in given)
+        carried, holder = _moved(bodies, settings, decided, touching=divided is not None)
         grounds = [Ground.of(body) for body in carried]
         appearing = [
             AppearingRegion.of(region.outer, (), end, grounds[holder[body]], is_hole=True)
@@ -251,7 +251,7 @@ def _matched_holes(
 
 
 def _moved(
-    bodies: list[list[RingMatch]], settings: FillSettings, settled: bool, *, touching: bool
+    bodies: list[list[RingMatch]], settings: FillSettings, decided: bool, *, touching: bool
 ) -> tuple[list[Carried], list[int]]:
     """Movements of all bodies, and which of them each body is in.
 
@@ -277,7 +277,7 @@ def _moved(
             settings.quads,
             settings.observe,
             rough=rough,
-            settled=rings[0].found == "given" or settled,
+            decided=rings[0].found == "given" or decided,
         )
         for rings in bodies
     ]

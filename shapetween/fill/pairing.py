@@ -14,7 +14,7 @@ from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.model.drawing import Shape
 from shapetween.model.paint import Colour, Gradient, Paint
 
-__all__ = ["LEFT", "Pairing", "Settled", "Thing", "pair_shapes", "pair_things"]
+__all__ = ["LEFT", "Fixed", "Pairing", "Thing", "pair_shapes", "pair_things"]
 
 #: What a move by the own size, a factor e in size, black to white in paint, bottom to top in order,
 #: fill against line, and open against closed cost. Distance counts most: what stays near its place
@@ -32,7 +32,7 @@ ASPECT, SLIM = 0.12, 0.1
 REACH = 0.15
 
 #: What leaving a thing without a partner costs, and what a pair as large as the drawing saves
-#: beside that. More, and strangers far apart become each other; less, and everything comes and
+#: beside that. More, and unlike shapes far apart become each other; less, and everything comes and
 #: goes.
 LEFT, LARGE = 0.5, 0.6
 
@@ -40,7 +40,7 @@ LEFT, LARGE = 0.5, 0.6
 PIECE_LEFT = 1.2
 
 #: What a pair saves of which both have one name that an editor gave: files made from one another
-#: share such names, and strangers may do so by chance.
+#: share such names, and unlike shapes may do so by chance.
 NAMED = 0.4
 
 #: What a pair of areas in one paint saves where both drawings have as many of them, and how many at
@@ -84,7 +84,7 @@ class Pairing:
     second_only: tuple[int, ...]
 
 
-Settled: TypeAlias = tuple[tuple[Shape, ...], tuple[Shape, ...], tuple[tuple[int, int], ...]]
+Fixed: TypeAlias = tuple[tuple[Shape, ...], tuple[Shape, ...], tuple[tuple[int, int], ...]]
 """Shapes of both drawings in paint order, and which of them become each other in any case."""
 
 
@@ -108,7 +108,7 @@ def pair_things(
     extra : (len(first), len(second)) float64, optional
         Further cost of each pair.
     fixed : sequence of (int, int)
-        Pairs that are settled.
+        Pairs that are fixed.
     left : float
         Cost of leaving one thing alone.
     """
@@ -168,7 +168,7 @@ def pair_shapes(
     scale: float,
     fixed: Sequence[tuple[int, int]],
     *,
-    brought: Sequence[Thing] | None = None,
+    mapped: Sequence[Thing] | None = None,
     shared: Floats | None = None,
     barred: Mask | None = None,
 ) -> Pairing:
@@ -181,19 +181,19 @@ def pair_shapes(
     scale : float
         Diagonal of the drawing.
     fixed : sequence of (int, int)
-        Pairs that the user settled.
-    brought : sequence of Thing, optional
+        Pairs that the user fixed.
+    mapped : sequence of Thing, optional
         What becomes of the first drawing's shapes where both lie on each other; by default as
         they are drawn.
     shared : (len(first), len(second)) float64, optional
         Share of what either of two shapes covers that both then cover.
     barred : (len(first), len(second)) bool, optional
-        Pairs that are not made unless they are settled.
+        Pairs that are not made unless they are fixed.
     """
-    settled = list(fixed)
-    taken = {a for a, _ in settled}, {b for _, b in settled}
+    known = list(fixed)
+    taken = {a for a, _ in known}, {b for _, b in known}
     alike = _named_alike(first, second)
-    settled += [
+    known += [
         (i, j)
         for i, j in alike
         if is_given(first[i].name) and i not in taken[0] and j not in taken[1]
@@ -215,8 +215,8 @@ def pair_shapes(
         extra = extra + OVERLAP * (1 - shared)
     if barred is not None:
         extra = np.where(barred, np.inf, extra)
-    things = [_thing(shape) for shape in first] if brought is None else brought
-    return pair_things(things, [_thing(shape) for shape in second], scale, extra, settled, LEFT)
+    things = [_thing(shape) for shape in first] if mapped is None else mapped
+    return pair_things(things, [_thing(shape) for shape in second], scale, extra, known, LEFT)
 
 
 def _named_alike(first: Sequence[Shape], second: Sequence[Shape]) -> list[tuple[int, int]]:

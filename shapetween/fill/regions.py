@@ -34,7 +34,7 @@ NEGLIGIBLE = 1e-4
 RETRACED = 1e-3
 
 #: Share of the whole area below which a ring shows nothing.
-SPECK = 1e-9
+SLIVER = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,7 +114,7 @@ def _encloses(ring: Outline) -> bool:
     import shapely
 
     low, high = ring.box
-    least = SPECK * float(np.max(high - low)) ** 2
+    least = SLIVER * float(np.max(high - low)) ** 2
     if abs(ring.area) > least:
         return True
     # Lobes that run opposite ways cancel out in the signed area.
@@ -132,7 +132,7 @@ def _simple(points: Points, ring: Outline) -> "shapely.Polygon | None":
     if polygon.is_valid:
         return polygon
     fixed = shapely.make_valid(polygon, method="structure", keep_collapsed=False)
-    # Where it runs there and back along itself, the mended outline is shorter.
+    # Where it runs there and back along itself, the repaired outline is shorter.
     retraced = float(polygon.length - fixed.length)
     same = abs(fixed.area - polygon.area) <= NEGLIGIBLE * polygon.area
     if same and retraced <= RETRACED * polygon.length:
@@ -213,7 +213,7 @@ def _resolved(chords: Chords, rule: FillRule, name: str) -> list[Region]:
     if area is None:
         raise OutlineError(f"{name}: its outline crosses itself too often to be told apart")
     low, high = np.reshape(area.bounds, (2, 2))
-    least = SPECK * float(np.max(high - low)) ** 2
+    least = SLIVER * float(np.max(high - low)) ** 2
     return [
         Region(outer, tuple(hole.reversed() for hole in holes if -hole.area > least))
         for outer, *holes in traced(area, chords)

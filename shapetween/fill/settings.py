@@ -52,7 +52,7 @@ class Given:
     holes: Mapping[tuple[int, int], Points]
 
     @property
-    def settles(self) -> bool:
+    def decides(self) -> bool:
         """Whether it says what becomes what on their outer outlines."""
         return len(self.pins) > 0 or self.choice > 1
 
@@ -96,7 +96,7 @@ class FillSettings:
     claimed: Claimed = field(default_factory=Claimed)
 
     def given_to(
-        self, name: str, pairs: Sequence[tuple[Region, Region]], *, lone: bool
+        self, name: str, pairs: Sequence[tuple[Region, Region]], *, alone: bool
     ) -> list[Given]:
         """What is for each pair of pieces of a shape, which nothing else gets then.
 
@@ -105,13 +105,13 @@ class FillSettings:
         name : str
             The shape's.
         pairs : sequence of (Region, Region)
-        lone : bool
+        alone : bool
             Whether they are two outlines and nothing else, whose matchings can be chosen from.
         """
         found = []
         for first, second in pairs:
             mesh = self._mesh_for(name)
-            choice = self.choice if lone and mesh is None else 1
+            choice = self.choice if alone and mesh is None else 1
             self.claimed.choice |= choice > 1
             on = self._pinned(first, second)
             holes = {pair: self.pins[list(rows)] for pair, rows in on.holes.items()}

@@ -17,7 +17,7 @@ __all__ = ["BlendedCurve", "blend_small"]
 #: cost time with the square.
 SAMPLES = 64
 
-#: Share of the distance between two contours, laid on each other, that a turn must save to be made.
+#: Share of the distance between two contours with one centre that a turn must save to be made.
 #: Lower, and round ones turn for nothing; higher, and long ones shrink on their way.
 TURN_SAVES = 0.3
 

@@ -93,7 +93,7 @@ def _area(polylines: Sequence[Points]) -> "shapely.Polygon":
 
 
 def _sites(whole: Region, parts: Sequence[Region]) -> Points:
-    """Where the parts lie, laid on the whole, (N, 2)."""
+    """Where the parts lie, mapped onto the whole, (N, 2)."""
     boxes = np.array([part.outer.box for part in parts])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
     one = whole.outer.box

@@ -42,7 +42,7 @@ class JacobianFit:
     ----------
     pair : MeshPair
     triangles : (T, 3) intp
-        Sound at both ends.
+        Valid at both ends.
     weights : (2, T) float64
         w_A and w_B, not negative; w_A + w_B is positive.
 

@@ -41,8 +41,8 @@ SPREAD_POWER, MOST_SPREAD = 0.25, 2.0
 #: Outlines whose features are kept, for who asks more than one thing of a pair. More cost memory.
 KEPT = 8
 
-#: Unlikeness above which two salient vertices are strangers.
-STRANGERS = 0.45
+#: Unlikeness above which two salient vertices are unrelated.
+UNRELATED = 0.45
 
 #: Unlikeness no two places exceed as drawn. Less, and a place is as unlike its wrong neighbour as
 #: its opposite; more, and a few odd places decide for all.
@@ -211,13 +211,13 @@ def upright_cost(a: UprightFeatures, b: UprightFeatures, cells: Cells) -> Floats
 
 
 def likeness_of_vertices(a: SampleFeatures, b: SampleFeatures) -> Floats:
-    """Likeness of salient vertices in the frame as drawn, (n, m): from 0, strangers, to 1."""
+    """Likeness of salient vertices in the frame as drawn, (n, m): from 0, unrelated, to 1."""
     cells = all_cells(len(a.points), len(b.points))
     away = _square_gaps(_even_spread(a).T, _even_spread(b).T, cells)
     around = contexts(a.points, a.surroundings), contexts(b.points, b.surroundings)
     askew = _unlikeness(a.apexes, b.apexes, cells)
     cost = _saturated(0.6 * away + 0.5 * askew + 0.8 * _unlikeness(*around, cells))
-    return np.maximum(1 - cost / STRANGERS, 0.0)
+    return np.maximum(1 - cost / UNRELATED, 0.0)
 
 
 def all_cells(rows: int, columns: int) -> Cells:

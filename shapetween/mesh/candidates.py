@@ -16,10 +16,10 @@ from shapetween.mesh.contour import rounded
 __all__ = ["candidate_nodes", "far_sample", "opposite_feet", "simplified"]
 
 #: Share of the candidates that outline the shapes; the rest face them across limbs. More, and
-#: limbs have no ribs to become ladders with; fewer, and bends are cut short.
+#: limbs have no ribs to be meshed across with; fewer, and bends are cut short.
 OUTLINING = 0.62
 
-#: How much further from its chord a corner counts than any other sample, so that nodes settle on
+#: How much further from its chord a corner counts than any other sample, so that nodes lie on
 #: corners; much larger, and small corners win over large curves.
 CORNER_BONUS = 1.25
 

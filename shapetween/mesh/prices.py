@@ -12,7 +12,7 @@ from shapetween.mesh.quality import MIN_CORNER_SINE, FaceFigures
 
 __all__ = ["QUAD_PRICE", "quad_prices", "side_prices", "triangle_prices"]
 
-#: Price of a quad. Larger, and limbs are left to the sides; smaller, and shapes fall to crumbs.
+#: Price of a quad. Larger, and limbs are left to the sides; smaller, and shapes fall to slivers.
 QUAD_PRICE = 0.5
 
 #: Price of the whole area where no quad that moves well covers it. Larger, and there are more

@@ -119,5 +119,5 @@ def _bent(
     low, high = AFFINE_RESIDUAL
     share = np.clip((residual - low) / (high - low), 0, 1)
     linear = affine + share * (similar - affine)
-    sound = (np.linalg.det(affine) > 0) & (np.linalg.det(linear) > 0)
-    return np.asarray(linear if sound.all() else similar)
+    valid = (np.linalg.det(affine) > 0) & (np.linalg.det(linear) > 0)
+    return np.asarray(linear if valid.all() else similar)

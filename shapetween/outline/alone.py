@@ -38,7 +38,7 @@ def moved_alone(
     observe: Observer,
     *,
     rough: bool,
-    settled: bool,
+    decided: bool,
 ) -> Carried:
     """Move one body.
 
@@ -51,7 +51,7 @@ def moved_alone(
     observe : Observer
     rough : bool
         Whether it has so many curves that one setting is all there is time for.
-    settled : bool
+    decided : bool
         Whether its matching is what the user asked for.
     """
     outer, holes = rings[0], rings[1:]
@@ -60,10 +60,10 @@ def moved_alone(
     if rough or outer.coarse or best.seen.nothing:
         return best
     # Strands that touch say nothing against a matching.
-    mended = parted(best)
-    if mended is not None:
-        return replace(mended, seen=NOT_SEEN)
-    if settled or len(body.nodes.ends[0]) > MOST_NODES:
+    without = parted(best)
+    if without is not None:
+        return replace(without, seen=NOT_SEEN)
+    if decided or len(body.nodes.ends[0]) > MOST_NODES:
         return best
     for other in _others(outer, quads, observe):
         found = looked_at(straightened(evened(unfolded([other, *holes], method, TOLERANCES[:2]))))

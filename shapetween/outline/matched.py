@@ -14,7 +14,7 @@ from shapetween.model.arclength import ArcLength
 __all__ = ["MatchedOutlines", "Pieces", "Samples", "cut_curves"]
 
 #: Share of the length within which a joint of one outline is taken for a joint of the other.
-#: Smaller leaves corners matched beside corners: slivers and bevels; larger joins strangers.
+#: Smaller leaves corners matched beside corners: slivers and bevels; larger joins unlike ones.
 SNAP = 0.012
 
 #: The same where the correspondence is exact, and no joint may be moved along its outline.

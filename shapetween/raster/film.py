@@ -1,4 +1,4 @@
-"""A movement between drawings as pictures, frame by frame, with patterns and pictures that ride.
+"""A movement between drawings as pictures, frame by frame, with patterns and pictures in them.
 
 What SVG can paint is drawn by resvg, shape upon shape in sRGB, as browsers do. A texture is drawn
 once for each end; both are warped with the plane that moves the shape, dissolved into one another

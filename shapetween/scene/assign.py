@@ -33,8 +33,8 @@ SAME_PLACE, SAME_OUTLINE, SAME_SIZE, SAME_COLOUR = 0.012, 0.04, 0.06, 0.15
 #: Way, as a share of the size, and logarithm of sizes, up to which a pair hardly changes.
 HARDLY = 0.25
 
-#: Cost of a pair that is settled.
-SETTLED = -2.0
+#: Cost of a pair that is fixed.
+FIXED = -2.0
 
 #: Decimals of a cost that count. More, and rounding chooses between pairs that are as good.
 DECIMALS = 6
@@ -96,9 +96,9 @@ def assign(
     a, b : Scene
         In one frame.
     given : sequence of (int, int)
-        Pairs that are settled.
+        Pairs that are fixed.
     barred : (N, M) bool, optional
-        Pairs that are not made unless they are settled.
+        Pairs that are not made unless they are fixed.
     price : float
         What leaving alone costs, times this.
     """
@@ -111,15 +111,15 @@ def assign(
     # A fill's outline goes where the fill goes, so to another outline or to nothing.
     never |= ((a.outlined >= 0)[:, None] != (b.outlined >= 0)) & ~_nearly_same(a, b)
     never |= torn(a, b)
-    settled = dict.fromkeys(given, "given")
-    if not settled:
-        settled = dict.fromkeys(_all_in_order(a, b, ordered, never), "alike")
-    settled |= dict.fromkeys(alike_in_place(a, b, never, settled), "alike")
-    for i, j in settled:
+    fixed = dict.fromkeys(given, "given")
+    if not fixed:
+        fixed = dict.fromkeys(_all_in_order(a, b, ordered, never), "alike")
+    fixed |= dict.fromkeys(alike_in_place(a, b, never, fixed), "alike")
+    for i, j in fixed:
         never[i, :] = never[:, j] = True
-    for i, j in settled:
+    for i, j in fixed:
         never[i, j] = False
-        table[i, j] = SETTLED
+        table[i, j] = FIXED
     left = price * alone(a), price * alone(b)
     now: Current | None = None
     relation: Floats | None = None
@@ -136,16 +136,16 @@ def assign(
         costs = twins_cost(axes_cost(a, b, costs), evidence)
         for (first, second), mean in zip(ordered, sets, strict=True):  # all of a set or none
             costs[first, second] = mean
-        for i, j in settled:
-            costs[i, j] = SETTLED
+        for i, j in fixed:
+            costs[i, j] = FIXED
         costs = np.where(never, np.inf, costs)
         history, now = now, _cheapest(costs, *left)
         if history is not None and _same(history, now) and turn > 2:
             break
     assert now is not None
-    now = _both_or_neither(now, a, b, evidence, settled)
+    now = _both_or_neither(now, a, b, evidence, fixed)
     pairs = tuple(
-        Role(int(i), int(j), float(cost), settled.get((int(i), int(j)), "matched"))
+        Role(int(i), int(j), float(cost), fixed.get((int(i), int(j)), "matched"))
         for i, j, cost in zip(now.first, now.second, now.costs, strict=True)
     )
     leavers = sorted(set(range(count[0])) - {p.first for p in pairs})
@@ -161,7 +161,7 @@ def assign(
 
 
 def _both_or_neither(
-    now: Current, a: Scene, b: Scene, evidence: Evidence, settled: dict[tuple[int, int], str]
+    now: Current, a: Scene, b: Scene, evidence: Evidence, fixed: dict[tuple[int, int], str]
 ) -> Current:
     """The pairs without those whose mate on either side is left alone.
 
@@ -180,7 +180,7 @@ def _both_or_neither(
             other = mates[own]
             kept &= same | (other < 0) | (other == own) | done[other] | ~filled[own]
     for k, pair in enumerate(zip(now.first.tolist(), now.second.tolist(), strict=True)):
-        kept[k] |= pair in settled
+        kept[k] |= pair in fixed
     return Current(now.first[kept], now.second[kept], now.costs[kept])
 
 
@@ -217,7 +217,7 @@ def alike_in_place(
     a: Scene,
     b: Scene,
     never: Mask,
-    settled: dict[tuple[int, int], str],
+    fixed: dict[tuple[int, int], str],
     loose: float = 1.0,
 ) -> list[tuple[int, int]]:
     """Pairs that are the same in both drawings, place and form and paint, or nearly (`loose`)."""
@@ -228,7 +228,7 @@ def alike_in_place(
     near &= np.abs(a.colours[:, None] - b.colours).sum(axis=-1) < SAME_COLOUR
     kinds = [np.array([(i.filled, i.closed) for i in s.items]) for s in (a, b)]
     near &= (kinds[0][:, None] == kinds[1]).all(axis=-1)
-    taken = {i for i, _ in settled}, {j for _, j in settled}
+    taken = {i for i, _ in fixed}, {j for _, j in fixed}
     found: list[tuple[float, int, int]] = []
     for i, j in np.argwhere(near).tolist():
         if i in taken[0] or j in taken[1]:

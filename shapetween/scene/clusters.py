@@ -52,28 +52,28 @@ def staying_parent(k: int, scene: Scene, hosts: Hosts) -> int | None:
     return parent if parent >= 0 else None
 
 
-def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster]:
+def clusters_of(unmatched: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster]:
     """Items without a partner, put together with those that they touch or lie in.
 
     Parameters
     ----------
-    lone : sequence of int
+    unmatched : sequence of int
     scene : Scene
     hosts : mapping of int to sequence of CurveTrack
     """
-    around = {k: staying_parent(k, scene, hosts) for k in lone}
-    own = {k: k for k in lone}
+    around = {k: staying_parent(k, scene, hosts) for k in unmatched}
+    own = {k: k for k in unmatched}
 
     def first(k: int) -> int:
         while own[k] != k:
             k = own[k]
         return k
 
-    for k, j in _together(np.array(lone, dtype=np.intp), around, scene):
+    for k, j in _together(np.array(unmatched, dtype=np.intp), around, scene):
         one, other = sorted((first(k), first(j)))
         own[other] = one
     groups: dict[int, list[int]] = {}
-    for k in lone:
+    for k in unmatched:
         groups.setdefault(first(k), []).append(k)
     return [
         Cluster(tuple(members), around[key], all(is_line(k, scene) for k in members))
@@ -81,14 +81,16 @@ def clusters_of(lone: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster
     ]
 
 
-def _together(lone: Index, around: Mapping[int, int | None], scene: Scene) -> list[tuple[int, int]]:
+def _together(
+    unmatched: Index, around: Mapping[int, int | None], scene: Scene
+) -> list[tuple[int, int]]:
     """Pairs of items that touch within one thing that stays, or one of which is the other's."""
-    inside = np.array([-1 if around[k] is None else around[k] for k in lone.tolist()])
-    both = scene.touching[np.ix_(lone, lone)] & (inside[:, None] == inside)
-    for of in (scene.parents[lone], scene.outlined[lone]):
-        both |= of[:, None] == lone
+    inside = np.array([-1 if around[k] is None else around[k] for k in unmatched.tolist()])
+    both = scene.touching[np.ix_(unmatched, unmatched)] & (inside[:, None] == inside)
+    for of in (scene.parents[unmatched], scene.outlined[unmatched]):
+        both |= of[:, None] == unmatched
     found = np.argwhere(np.triu(both | both.T, 1))
-    return [(int(k), int(j)) for k, j in lone[found].tolist()]
+    return [(int(k), int(j)) for k, j in unmatched[found].tolist()]
 
 
 def contact(members: Sequence[int], host: int, scene: Scene, inside: bool) -> tuple[Points, float]:

@@ -240,7 +240,7 @@ def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tupl
         If nothing of it encloses an area or is stroked.
     """
     items: list[Item] = []
-    said: list[Notice] = []
+    notices: list[Notice] = []
     failure: OutlineError | None = None
     for k, shape in enumerate(shapes):
         called = f"{name}: shape {shape.name!r}" if shape.name else name
@@ -257,13 +257,13 @@ def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tupl
             else:
                 own = replace(style, stroke=None) if outline_apart else style
                 items += [_region_item(region, own, k, shape.name) for region in regions]
-                said += more
+                notices += more
         if stroke is not None and (style.fill is None or outline_apart):
             line = replace(style, fill=None, texture=None)
             items += [Item((joined(r, stroke),), line, k, shape.name) for r in shape.rings]
     if not items and failure is not None:
         raise failure
-    return tuple(items), tuple(said)
+    return tuple(items), tuple(notices)
 
 
 def _region_item(region: Region, style: Style, shape: int, name: str) -> Item:

@@ -29,7 +29,6 @@ from shapetween.scene.items import Item
 from shapetween.scene.keeping import MOST_ENDS, kept_to
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
-from shapetween.scene.lone import unmatched_part
 from shapetween.scene.motion.tracks import Frame, Shared
 from shapetween.scene.order import Layer, layers_of
 from shapetween.scene.pairing import Paired, pair_items
@@ -37,6 +36,7 @@ from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.strokes import MOST_AREAS, as_painted, stroke_notice, too_many_areas
+from shapetween.scene.unmatched import unmatched_part
 
 __all__ = ["SceneMovement", "move_scene"]
 
@@ -131,12 +131,12 @@ def move_scene(
     paired = pair_items(first, second, views, asked, kept, settings.observe)
     (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
     still = paired.still
-    said: list[Notice] = []
+    notices: list[Notice] = []
     exchange = asked.exchange and not kept and _too_different(paired)
     if exchange:
         a, b = perceive(first, views[0]), perceive(second, views[1])
         roles = exchange_roles(a, b, roles, paired.scenes)
-        said.append(EXCHANGED_NOTICE)
+        notices.append(EXCHANGED_NOTICE)
     with settings.observe("move"):
         tracks: dict[int, tuple[CurveTrack, ...]] = {}
         mains = main_pairs(a, b, roles)
@@ -148,7 +148,7 @@ def move_scene(
             mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
             found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
-            said += more
+            notices += more
         hosts = (
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
@@ -168,9 +168,9 @@ def move_scene(
         for part in joined_parts((part, paint) for part, paint, _ in drawn):
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
-    said += [notice for _, _, notices in drawn for notice in notices]
-    said += _limits(a, b, roles)
-    return SceneMovement(tuple(parts), (a, b), roles, distinct(said), tracks, settings, frame)
+    notices += [notice for _, _, own in drawn for notice in own]
+    notices += _limits(a, b, roles)
+    return SceneMovement(tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame)
 
 
 def _too_different(paired: Paired) -> bool:
@@ -207,17 +207,17 @@ def _part(
         role = roles.pairs[layer.pair]
         one, other = of_one_kind(a.items[role.first], b.items[role.second])
         one, other, found = as_painted(one, other, tracks[layer.pair])
-        told: tuple[Notice, ...] = ()
+        notices: tuple[Notice, ...] = ()
         if not one.filled and (one.painted is not None or other.painted is not None):
-            told = (stroke_notice(one.name or other.name, "it is drawn as a line of one width"),)
-        return *pair_part(one, other, found, frame, layer), told
+            notices = (stroke_notice(one.name or other.name, "it is drawn as a line of one width"),)
+        return *pair_part(one, other, found, frame, layer), notices
     if layer.leaver is not None:
         item, going, end = a.items[layer.leaver], goings[0][layer.leaver], End.SOURCE
     else:
         assert layer.comer is not None
         item, going, end = b.items[layer.comer], goings[1][layer.comer], End.TARGET
-    part, told = unmatched_part(item, going, end, frame)
-    return part, None, told
+    part, notices = unmatched_part(item, going, end, frame)
+    return part, None, notices
 
 
 def _limits(a: Scene, b: Scene, roles: Roles) -> list[Notice]:

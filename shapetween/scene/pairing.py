@@ -76,12 +76,12 @@ def pair_items(
         cut = cut_alike_items(a, b, views, asked.groups)
         a, b = cut.scenes
         still = {_places_of(area, a, b): area.tracks for area in kept}
-        settled, barred = _settled(a, b, asked.groups)
-        settled += [pair for pair in still if pair not in settled]
+        fixed, barred = _fixed(a, b, asked.groups)
+        fixed += [pair for pair in still if pair not in fixed]
         pinned = pinned_items(asked.pins, a, b)
-        settled += [pair for pair in pinned.values() if pair not in settled]
-        settled += [pair for pair in cut.given if not barred[pair]]
-        roles = assign(a, b, settled, barred, asked.price)
+        fixed += [pair for pair in pinned.values() if pair not in fixed]
+        fixed += [pair for pair in cut.given if not barred[pair]]
+        roles = assign(a, b, fixed, barred, asked.price)
         roles = replace(
             roles,
             pairs=tuple(
@@ -101,8 +101,8 @@ def _places_of(area: KeptArea, a: Scene, b: Scene) -> tuple[int, int]:
     return one, other
 
 
-def _settled(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[int, int]], Mask]:
-    """Pairs of items that groups of shapes settle, and what they bar."""
+def _fixed(a: Scene, b: Scene, groups: Sequence[Group]) -> tuple[list[tuple[int, int]], Mask]:
+    """Pairs of items that groups of shapes fix, and what they bar."""
     shapes = [np.array([item.shape for item in scene.items]) for scene in (a, b)]
     barred = np.zeros((len(a.items), len(b.items)), dtype=bool)
     pairs = []

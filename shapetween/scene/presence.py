@@ -272,7 +272,7 @@ class LeavingPaint:
         if smaller and style.stroke is not None and gone < 1:
             size = float(self.leaving.size(np.array(gone)))
             thinner = size if self.leaving.thins else min(1.0, size / HEAVY)
-            style = replace(style, stroke=_thinned(style.stroke, thinner))
+            style = replace(style, stroke=_scaled_stroke(style.stroke, thinner))
         if has_gradient(style):
             curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
@@ -294,7 +294,7 @@ def _spanned(curves: Curves, carries: tuple[Carry, ...], t: Floats) -> Curves:
     return np.asarray(as_points(local + starts[:, None, None]))
 
 
-def _thinned(stroke: Stroke, size: float) -> Stroke:
+def _scaled_stroke(stroke: Stroke, size: float) -> Stroke:
     """A stroke drawn smaller."""
     return replace(
         stroke,

@@ -72,7 +72,7 @@ class Schedule:
         kept = np.concatenate([[0], len(near) + np.arange(1, steps), [len(s) - 1]])
         return self._at(s, self.handles), kept
 
-    def thinned(self, stride: int) -> "Schedule":
+    def strided(self, stride: int) -> "Schedule":
         """Every so manieth sample."""
         return Schedule(self.clock[::stride], self.time[::stride], self.handles)
 

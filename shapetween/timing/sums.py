@@ -137,7 +137,7 @@ def sum_of_easings(
     best = task.solved(turns, most) if turns else None
     if best is not None and len(best.easings) <= AT_ONCE:
         return best
-    # Windows that are none lead the pursuit astray.
+    # Windows that are none mislead the pursuit.
     fewest = MOST_TERMS if best is None else len(best.easings)
     return task.solved((), lambda: min(most(), fewest)) or best
 

@@ -2,7 +2,7 @@
 
 Everything in an animated file runs on one clock, as long as the whole, so that all of it stays in
 step wherever a player is moved to. What belongs to one movement of the row, a leg, knows its own
-passages through that clock.
+iterations on that clock.
 """
 
 import math
@@ -12,7 +12,7 @@ from typing import Literal, TypeAlias, get_args
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
 
-__all__ = ["Loop", "Passage", "Timeline"]
+__all__ = ["Iteration", "Loop", "Timeline"]
 
 Loop: TypeAlias = Literal["once", "repeat", "alternate"]
 
@@ -21,8 +21,8 @@ SHORTEST = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
-class Passage:
-    """One way through a leg, in seconds.
+class Iteration:
+    """One playing of a leg, there or back, in seconds.
 
     Attributes
     ----------
@@ -85,29 +85,29 @@ class Timeline:
     @property
     def seconds(self) -> float:
         """Length of the whole, until it ends or starts over."""
-        passages = self._passages
+        iterations = self._iterations
         # Once, the last drawing stays anyway; back at the first, the rest is the one to come.
         last = self.hold if self.loop == "repeat" and not self.closed else 0.0
-        return passages[-1][1].end + last
+        return iterations[-1][1].end + last
 
-    def passages(self, leg: int) -> tuple[Passage, ...]:
+    def iterations(self, leg: int) -> tuple[Iteration, ...]:
         """When one of the legs is to be seen, in order."""
-        return tuple(passage for other, passage in self._passages if other == leg)
+        return tuple(iteration for other, iteration in self._iterations if other == leg)
 
     def shown(self, seconds: float) -> tuple[int, float]:
         """What a moment shows, from 0 to `seconds`: a leg, and its time on an even clock.
 
         Once, the last drawing stays; else, before the whole starts over, it is still there.
         """
-        passages = self._passages
-        place = sum(passage.until <= seconds for _, passage in passages[:-1])
-        leg, passage = passages[place]
-        share = (seconds - passage.start) / (passage.end - passage.start)
+        iterations = self._iterations
+        place = sum(iteration.until <= seconds for _, iteration in iterations[:-1])
+        leg, iteration = iterations[place]
+        share = (seconds - iteration.start) / (iteration.end - iteration.start)
         share = min(max(share, 0.0), 1.0)
-        return leg, 1.0 - share if passage.back else share
+        return leg, 1.0 - share if iteration.back else share
 
     @property
-    def _passages(self) -> list[tuple[int, Passage]]:
+    def _iterations(self) -> list[tuple[int, Iteration]]:
         """The legs in the order they are played, each with when that is."""
         order = [(leg, False) for leg in range(len(self.ways))]
         if self.loop == "alternate":
@@ -117,7 +117,7 @@ class Timeline:
         for leg, back in order:
             start = now + self.hold
             end = start + self.ways[leg]
-            found.append((leg, Passage(now, start, end, end, back)))
+            found.append((leg, Iteration(now, start, end, end, back)))
             now = end
         if self.loop == "repeat" and not self.closed:
             leg, last = found[-1]

@@ -62,7 +62,7 @@ def test_a_matching_changes_only_for_what_is_seen_and_costs_little_more(
     monkeypatch.setattr(alone, "unfolded", moved)
     monkeypatch.setattr(alone, "looked_at", looked_at)
     monkeypatch.setattr(alone, "next_matches", others)
-    found = moved_alone(rings[:1], "projective", None, unobserved, rough=False, settled=settled)
+    found = moved_alone(rings[:1], "projective", None, unobserved, rough=False, decided=settled)
     assert found.crossing == 1 + taken
     assert found.other_matching == (taken > 0)
 

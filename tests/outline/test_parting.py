@@ -117,7 +117,7 @@ def test_what_crosses_is_parted_before_another_matching_is_tried(
     monkeypatch.setattr(alone, "unfolded", lambda *_: body)
     monkeypatch.setattr(alone, "next_matches", never)
     found = moved_alone(
-        list(body.nodes.rings), "projective", None, unobserved, rough=False, settled=False
+        list(body.nodes.rings), "projective", None, unobserved, rough=False, decided=False
     )
     assert found.parted
     assert not found.crossing

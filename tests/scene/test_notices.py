@@ -7,7 +7,7 @@ import pytest
 import shapetween as st
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.scene import keeping, lone, movement, strokes
+from shapetween.scene import keeping, movement, strokes, unmatched
 from shapetween.scene.kept import areas
 from shapetween.scene.motion import choose
 
@@ -81,7 +81,7 @@ def test_a_stroke_whose_area_does_not_follow_its_line(
 def test_a_stroke_that_goes_and_whose_area_does_not_follow_its_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(lone, "stroked_leaving", lambda *_: None)
+    monkeypatch.setattr(unmatched, "stroked_leaving", lambda *_: None)
     bar = '<path d="M2 21h20v1h-20z"/>'
     found = told(tmp_path, CHECK, CHECK.replace(bar, "") + '<path d="M3 3h3v3h-3z"/>')
     assert "it shrinks" in str(found["stroke-outline"])

@@ -20,7 +20,7 @@ from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import colour_losses, group_losses
 from shapetween.formats.table import Segments, Written
 from shapetween.timing.easing import LINEAR, handles_of
-from shapetween.timing.timeline import Passage, Timeline
+from shapetween.timing.timeline import Iteration, Timeline
 
 __all__ = ["FRAMES_A_SECOND", "dot_lottie", "lottie", "lottie_json"]
 
@@ -94,11 +94,13 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
         root["assets"] = [
             {"id": f"leg {k}", "layers": layers} for k, (layers, _) in enumerate(made)
         ]
-        passages = [(k, passage) for k in range(len(movements)) for passage in plan.passages(k)]
-        last = max(passage.until for _, passage in passages)
+        iterations = [
+            (k, iteration) for k in range(len(movements)) for iteration in plan.iterations(k)
+        ]
+        last = max(iteration.until for _, iteration in iterations)
         root["layers"] = [
-            _remapped(index, leg, passage, root, options, ends=passage.until == last)
-            for index, (leg, passage) in enumerate(passages, start=1)
+            _remapped(index, leg, iteration, root, options, ends=iteration.until == last)
+            for index, (leg, iteration) in enumerate(iterations, start=1)
         ]
     lost = [*colour_losses(movements, "Lottie"), *group_losses(movements, "Lottie")]
     return root, [*lost, *(loss for _, losses in made for loss in losses)]
@@ -107,7 +109,7 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
 def _remapped(
     index: int,
     leg: int,
-    passage: Passage,
+    iteration: Iteration,
     root: Json,
     options: WriteOptions,
     *,
@@ -116,21 +118,21 @@ def _remapped(
     """A layer that shows a leg on one of its ways."""
     x1, y1, x2, y2 = handles_of(options.easing)
     values = (0.0, options.duration)
-    if passage.back:  # backwards a curve starts at its end, and both axes run the other way
+    if iteration.back:  # backwards a curve starts at its end, and both axes run the other way
         x1, y1, x2, y2 = 1 - x2, 1 - y2, 1 - x1, 1 - y1
         values = values[::-1]
     ease = {"o": {"x": [x1], "y": [y1]}, "i": {"x": [x2], "y": [y2]}}
     stand = {"o": {"x": [0], "y": [0]}, "i": {"x": [1], "y": [1]}}
-    start, end, shown = map(_frames, (passage.start, passage.end, passage.shown))
+    start, end, shown = map(_frames, (iteration.start, iteration.end, iteration.shown))
     keys: list[Json] = [{"t": start, "s": [values[0]], **ease}, {"t": end, "s": [values[1]]}]
     if shown < start:
         keys.insert(0, {"t": shown, "s": [values[0]], **stand})
-    until = root["op"] if ends else _frames(passage.until)
+    until = root["op"] if ends else _frames(iteration.until)
     return {
         "ddd": 0,
         "ty": 0,
         "ind": index,
-        "nm": _name(leg, passage),
+        "nm": _name(leg, iteration),
         "refId": f"leg {leg}",
         "sr": 1,
         "ks": transform(),
@@ -148,12 +150,12 @@ def _markers(plan: Timeline) -> list[Json]:
     """Every way by its name, for players that play a part of it."""
     return [
         {
-            "cm": _name(leg, passage),
-            "tm": _frames(passage.start),
-            "dr": _frames(passage.end - passage.start),
+            "cm": _name(leg, iteration),
+            "tm": _frames(iteration.start),
+            "dr": _frames(iteration.end - iteration.start),
         }
         for leg in range(len(plan.ways))
-        for passage in plan.passages(leg)
+        for iteration in plan.iterations(leg)
     ]
 
 
@@ -162,9 +164,9 @@ def _frames(seconds: float) -> float:
     return short(seconds * FRAMES_A_SECOND, FRAME_DECIMALS)
 
 
-def _name(leg: int, passage: Passage) -> str:
+def _name(leg: int, iteration: Iteration) -> str:
     """A way's name, as "A to B"."""
-    first, last = (leg + 1, leg) if passage.back else (leg, leg + 1)
+    first, last = (leg + 1, leg) if iteration.back else (leg, leg + 1)
     return f"{_letter(first)} to {_letter(last)}"
 
 

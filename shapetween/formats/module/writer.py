@@ -28,7 +28,7 @@ from shapetween.svg.write.numbers import number
 __all__ = ["TOLERANCE", "module", "module_text"]
 
 #: How far a drawn point may be from its place at any time, as a share of the view box's larger
-#: side: a quarter of a pixel at 1000 px. Larger is seen as a drift; smaller takes more bytes.
+#: side: a quarter of a pixel at 1000 px. Larger is seen as a shift; smaller takes more bytes.
 TOLERANCE = 2.5e-4
 
 #: What a handle's distance counts: both together move no point of their curve by more than three

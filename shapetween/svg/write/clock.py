@@ -17,7 +17,7 @@ from shapetween.timing.easing import LINEAR
 from shapetween.timing.fitted import fitted_keyframes
 from shapetween.timing.keyframes import keyframes
 from shapetween.timing.schedule import Schedule
-from shapetween.timing.timeline import Passage, Timeline
+from shapetween.timing.timeline import Iteration, Timeline
 from shapetween.timing.windows import Eased
 
 __all__ = ["Clock", "Trigger"]
@@ -121,11 +121,11 @@ class Clock:
         """
         start, end = easing.window
         if self.timeline.loop == "once" and self.trigger is None:
-            (passage,) = self._passages
-            begin = passage.start + start * (passage.end - passage.start)
-            stop = passage.start + end * (passage.end - passage.start)
+            (iteration,) = self._iterations
+            begin = iteration.start + start * (iteration.end - iteration.start)
+            stop = iteration.start + end * (iteration.end - iteration.start)
             (way,) = self._ways
-            inside = replace(way, passages=(replace(passage, start=begin, end=stop),))
+            inside = replace(way, iterations=(replace(iteration, start=begin, end=stop),))
             handles = np.array([easing.handles])
             return [self._once(inside, np.array([0.0, 1.0]), (rest, value), handles)]
         moments = [0.0, start, end, 1.0]
@@ -141,17 +141,17 @@ class Clock:
         """Whether the whole is one way through this leg, and no rest is said."""
         if self.timeline.loop == "once":
             return self.trigger is None
-        (first, *others) = self._passages
+        (first, *others) = self._iterations
         return not others and (first.start, first.end) == (0.0, self.timeline.seconds)
 
     def jumping(self, jumps: Floats, values: Sequence[str]) -> list[dict[str, str]]:
         """Attributes that show the first value, and from each of some times on the next."""
         found = []
         for way in self._ways:
-            times, shown = [way.since], [values[-1] if way.passages[0].back else values[0]]
-            for passage in way.passages:
-                times += passage.at(jumps).tolist()
-                shown += values[-2::-1] if passage.back else values[1:]
+            times, shown = [way.since], [values[-1] if way.iterations[0].back else values[0]]
+            for iteration in way.iterations:
+                times += iteration.at(jumps).tolist()
+                shown += values[-2::-1] if iteration.back else values[1:]
             found.append({"calcMode": "discrete", **self._whole(way, times, shown)})
         return found
 
@@ -159,8 +159,8 @@ class Clock:
         """Attributes that have one value while the leg is to be seen, and else another."""
         found = []
         for way in self._ways:
-            edges = [edge for p in way.passages for edge in (p.shown, p.until)]
-            # Where one passage follows on another, and at both ends of the whole, nothing changes.
+            edges = [edge for p in way.iterations for edge in (p.shown, p.until)]
+            # Where one iteration follows another, and at both ends of the whole, nothing changes.
             end = way.since + way.length
             times = [edge for edge in edges if edges.count(edge) == 1 and way.since < edge < end]
             values = (off, on) if edges[0] > way.since else (on, off)
@@ -170,17 +170,17 @@ class Clock:
         return found
 
     @property
-    def _passages(self) -> tuple[Passage, ...]:
-        return self.timeline.passages(self.leg)
+    def _iterations(self) -> tuple[Iteration, ...]:
+        return self.timeline.iterations(self.leg)
 
     @property
     def _ways(self) -> "list[_Way]":
         """What is set going by itself: the whole, or what is played once there, and then back."""
         if self.trigger is None or self.timeline.loop != "once":
             begin = "" if self.trigger is None else self.trigger.there
-            return [_Way(begin, 0.0, self.timeline.seconds, self._passages)]
+            return [_Way(begin, 0.0, self.timeline.seconds, self._iterations)]
         both = replace(self.timeline, loop="alternate")
-        there, back = both.passages(self.leg)
+        there, back = both.iterations(self.leg)
         half = both.seconds / 2
         return [
             _Way(self.trigger.there, 0.0, half, (there,)),
@@ -203,11 +203,11 @@ class Clock:
                 shown.append(shown[-1])
                 splines.append(_STRAIGHT)
 
-        for passage in whole.passages:
-            rest(passage.start)
-            times += passage.at(clock)[1:].tolist()
-            shown += values[-2::-1] if passage.back else values[1:]
-            splines.append(_backwards(step) if passage.back else step)
+        for iteration in whole.iterations:
+            rest(iteration.start)
+            times += iteration.at(clock)[1:].tolist()
+            shown += values[-2::-1] if iteration.back else values[1:]
+            splines.append(_backwards(step) if iteration.back else step)
         rest(whole.length)
         return [{**_easing(np.concatenate(splines)), **self._whole(whole, times, shown)}]
 
@@ -215,16 +215,16 @@ class Clock:
         self, way: "_Way", clock: Floats, values: Sequence[str], easing: Floats
     ) -> dict[str, str]:
         """Attributes of what sets off in its turn, and stays where it arrives."""
-        (passage,) = way.passages
-        begin = _begin(way.begin, passage.start - way.since)
-        if passage.back:
+        (iteration,) = way.iterations
+        begin = _begin(way.begin, iteration.start - way.since)
+        if iteration.back:
             clock, values, easing = 1 - clock[::-1], values[::-1], _backwards(easing)
         eased = _easing(easing)
         kept = {} if len(clock) == 2 and not eased else {"keyTimes": self._times(clock)}
         return {
             **eased,
             **({"begin": begin} if begin else {}),
-            "dur": _seconds(passage.end - passage.start),
+            "dur": _seconds(iteration.end - iteration.start),
             "fill": "freeze",
             **kept,
             "values": ";".join(values),
@@ -262,14 +262,14 @@ class _Way:
         The event, empty for the start of the document.
     since, length : float
         The second of the timeline that it starts at, and how many it takes.
-    passages : tuple of Passage
+    iterations : tuple of Iteration
         Of the leg, meanwhile.
     """
 
     begin: str
     since: float
     length: float
-    passages: tuple[Passage, ...]
+    iterations: tuple[Iteration, ...]
 
 
 def _backwards(easing: Floats) -> Floats:

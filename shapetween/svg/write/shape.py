@@ -142,4 +142,4 @@ def _for_so_many(clock: Clock, count: int) -> Clock:
     if not clock.adaptive or steps * count <= MOST_SAMPLED:
         return clock
     stride = next(k for k in STRIDES if steps * count <= k * MOST_SAMPLED or k == STRIDES[-1])
-    return replace(clock, schedule=clock.schedule.thinned(stride))
+    return replace(clock, schedule=clock.schedule.strided(stride))

@@ -161,8 +161,8 @@ def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
 
 def _slower(clock: Clock) -> Clock:
     """The clock of paint."""
-    thinned = clock.schedule.thinned(PAINT_STRIDE if clock.adaptive else 1)
-    return replace(clock, schedule=thinned)
+    strided = clock.schedule.strided(PAINT_STRIDE if clock.adaptive else 1)
+    return replace(clock, schedule=strided)
 
 
 def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
