@@ -28,8 +28,22 @@ INPUTS = GALLERY / "inputs"
 SYSTEM = Path("/usr/share/inkscape/extensions")
 
 #: Pairs of one outline each, without holes, which is all that Interpolate takes.
-PAIRS = ("horse", "kangaroo", "camel", "elephant", "deer", "giraffe", "airplane", "jet")
-PAIRS += ("palm-tree", "cactus", "hammer", "wrench", "maple-leaf", "monstera-leaf")
+PAIRS = (
+    "horse",
+    "kangaroo",
+    "camel",
+    "elephant",
+    "deer",
+    "giraffe",
+    "airplane",
+    "jet",
+    "palm-tree",
+    "cactus",
+    "hammer",
+    "wrench",
+    "maple-leaf",
+    "monstera-leaf",
+)
 
 STEPS = 9
 

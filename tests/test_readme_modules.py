@@ -2,14 +2,13 @@
 
 import gzip
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import shapetween as st
-from tests.browser import Browser, chromium
+from tests.browser import Browser
 from tests.node import install, run_node
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -59,12 +58,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     inputs = ROOT / "gallery" / "inputs"
     st.morph(inputs / "horse.svg", inputs / "kangaroo.svg").write(place / "animal.mjs")
     return place
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def open_page(browser: Browser, folder: Path, script: str, packages: Path | None = None) -> Any:

@@ -5,7 +5,7 @@ import numpy as np
 from shapetween.base.arrays import Index
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Roles
-from shapetween.scene.motion.carried import Carried, Tie, Tied
+from shapetween.scene.motion.carried import Carried, Junction, JunctionConstraint
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.relations import Scene
 
@@ -45,22 +45,22 @@ def kept_to(
         return found
     (track,) = found
     partner = {(pair.first, pair.second): m for m, pair in enumerate(roles.pairs)}
-    host = partner.get((int(a.outlined[role.first]), int(b.outlined[role.second])))
-    if host is not None and host in known and isinstance(track, Blend):
-        return (Carried(track.pieces, known[host][0], (a.scale + b.scale) / 2),)
+    anchor = partner.get((int(a.outlined[role.first]), int(b.outlined[role.second])))
+    if anchor is not None and anchor in known and isinstance(track, Blend):
+        return (Carried(track.pieces, known[anchor][0], (a.scale + b.scale) / 2),)
     if one.closed or other.closed or len(roles.pairs) > MOST_ENDS:
         return found
-    ties = []
+    junctions = []
     for last in (False, True):
         ends = track.curves(np.array([0.0, 1.0]))
         points = ends[:, -1, 3] if last else ends[:, 0, 0]
-        hosts = [_under(role.first, points[0], a), _under(role.second, points[1], b)]
+        anchors = [_under(role.first, points[0], a), _under(role.second, points[1], b)]
         for m in known:
             pair = roles.pairs[m]
-            if pair.first in hosts[0] and pair.second in hosts[1]:
-                ties.append(Tie.of(track, last, known[m][0]))
+            if pair.first in anchors[0] and pair.second in anchors[1]:
+                junctions.append(Junction.of(track, last, known[m][0]))
                 break
-    return (Tied(track, tuple(ties)),) if ties else found
+    return (JunctionConstraint(track, tuple(junctions)),) if junctions else found
 
 
 def _under(k: int, point: Index, scene: Scene) -> list[int]:

@@ -1,6 +1,5 @@
 """Style sheets move one shape as the movement does."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -15,18 +14,12 @@ from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Stroke, Style
 from shapetween.svg.write.sequence import frame_svg
-from tests.browser import SIZE, Browser, chromium, difference
+from tests.browser import SIZE, Browser, difference
 from tests.movements import circle, formula_part, sample_chain, sample_movement, spin
 from tests.paints import BLUE, RED, STRIPES
 from tests.players import css_pictures
 
 BOX = Box(0, 0, 100, 100)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def one(first: Style | None = None, last: Style | None = None) -> Movement:

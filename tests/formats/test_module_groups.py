@@ -1,6 +1,5 @@
 """A module, and the page around it, keep masks, filters, blending and the page's own colour."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +12,7 @@ from shapetween.formats.table import WRITERS, Segments
 from shapetween.model.movement import Movement
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.sequence import frame_svg
-from tests.browser import Browser, chromium, difference
+from tests.browser import Browser, difference
 from tests.formats.test_player import seek, show, stage
 from tests.movements import sample_movement
 from tests.players import module_pictures
@@ -72,12 +71,6 @@ DRAWN = {
         '<path fill="#06c" d="M25 20H95V95H25Z"/></g><path fill="#c00" d="M50 60H90V95H50Z"/></g>',
     ),
 }
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def moved(name: str) -> Movement:

@@ -1,6 +1,6 @@
 """The JavaScript module's player in a real browser."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from shapetween.formats.table import Segments
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Style
 from shapetween.svg.write.sequence import frame_svg
-from tests.browser import Browser, Picture, chromium, difference
+from tests.browser import Browser, Picture, difference
 from tests.movements import sample_chain, sample_movement
 from tests.paints import EVERY, OVALS
 from tests.players import boxes, module_pictures
@@ -22,12 +22,6 @@ QUARTERS = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 #: Share of pixels that may differ by more than an edge does; tiles of a browser meet in some.
 STRAY = 3e-4
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def assert_alike(browser: Browser, shots: Sequence[Picture], frames: Sequence[str]) -> None:

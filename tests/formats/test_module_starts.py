@@ -1,13 +1,11 @@
 """What sets a module's movement going."""
 
-from collections.abc import Iterator
-
 import pytest
 
 from shapetween.formats.module.writer import module_text
 from shapetween.formats.options import STARTS, WriteOptions
 from shapetween.formats.table import Segments
-from tests.browser import Browser, chromium
+from tests.browser import Browser
 from tests.movements import sample_movement
 
 pytestmark = pytest.mark.browser
@@ -20,12 +18,6 @@ SHOW = """async text => {
 }"""
 
 PAGE = "<body style='margin:0;height:3000px'><div id=box style='width:200px;height:200px;{}'></div>"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def show(browser: Browser, start: str, style: str = "") -> None:

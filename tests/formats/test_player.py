@@ -1,7 +1,6 @@
 """The page plays by itself, and does what its controls say."""
 
 import io
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,7 @@ from shapetween.formats.player.writer import html
 from shapetween.formats.table import Segments
 from shapetween.model.movement import Movement
 from shapetween.svg.write.sequence import frame_svg
-from tests.browser import SIZE, Browser, Picture, chromium, difference
+from tests.browser import SIZE, Browser, Picture, difference
 from tests.movements import sample_chain, sample_movement
 
 #: The page's stage alone, as large as the pictures that it is held against.
@@ -41,12 +40,6 @@ def test_what_it_tells_is_text() -> None:
     assert "<li>&lt;b&gt; &amp; &lt;/script&gt; two</li>" in text
     assert text.count("</script>") == 1
     assert "<h1>Ring &amp; ellipse</h1>" in text
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def show(browser: Browser, text: str, folder: Path) -> list[str]:

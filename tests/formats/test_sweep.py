@@ -6,7 +6,7 @@ is written down in the file that it names.
 
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
@@ -22,11 +22,10 @@ from shapetween.pipeline import Options, prepare
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.sequence import frame_svg
 from tests.benchmarks.sizes import pairs as gallery_pairs
-from tests.browser import Browser, Picture, chromium, difference
+from tests.browser import Browser, Picture, difference
 from tests.conftest import CORPUS
 from tests.formats.test_android import at
 from tests.formats.test_player import seek, show, stage
-from tests.node import install
 from tests.players import css_pictures, lottie_pictures, module_pictures, resvg_pictures
 
 pytestmark = pytest.mark.browser
@@ -71,19 +70,8 @@ def real_pairs() -> dict[str, tuple[Path, Path]]:
 PAIRS = real_pairs()
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return install(("lottie-web@5",), tmp_path_factory.mktemp("lottie"))
-
-
 def played(
-    browser: Browser, library: Path, folder: Path, ending: str, loop: str, movement: Movement
+    browser: Browser, lottie_web: Path, folder: Path, ending: str, loop: str, movement: Movement
 ) -> tuple[list[Picture], bool]:
     """What a format shows at the quarters, and back; and whether it has told of a loss."""
     seconds = [*QUARTERS, *(second for second, _ in BACK if loop == "alternate")]
@@ -96,7 +84,7 @@ def played(
     shows: dict[str, Callable[[], Sequence[Picture]]] = {
         ".svg": lambda: browser.pictures([text] * len(seconds), before),
         ".mjs": lambda: module_pictures(browser, text, before),
-        ".json": lambda: lottie_pictures(browser, library, text, [60 * s for s in before]),
+        ".json": lambda: lottie_pictures(browser, lottie_web, text, [60 * s for s in before]),
         ".css": lambda: css_pictures(browser, text, "sweep", before, '<div class="sweep"></div>'),
         ".xml": lambda: resvg_pictures([at(text, 1000 * second) for second in seconds]),
         ".html": lambda: _sought(browser, text, folder, seconds),
@@ -123,7 +111,7 @@ CASES = [
 
 @pytest.mark.parametrize("name", CASES)
 def test_every_format_shows_the_frames(
-    browser: Browser, library: Path, tmp_path: Path, name: str
+    browser: Browser, lottie_web: Path, tmp_path: Path, name: str
 ) -> None:
     read = (read_svg(place.read_bytes(), place.name) for place in PAIRS[name])
     # As large as the window, not as the page that an icon is for; and square.
@@ -140,7 +128,7 @@ def test_every_format_shows_the_frames(
         loops: tuple[Literal["once", "alternate"], ...] = ("once", "alternate")
         for loop in loops[:1] if ending in (".xml", ".html") else loops:
             try:
-                shots, told = played(browser, library, tmp_path, ending, loop, movement)
+                shots, told = played(browser, lottie_web, tmp_path, ending, loop, movement)
             except OptionError as error:
                 found[f"{ending} {loop}"] = f"refused: {error}"
                 continue

@@ -1,14 +1,13 @@
 """Files that people reported as drawn wrong: first and last frame as Chromium draws the file."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import shapetween as st
 from shapetween.svg.write.sequence import frame_svg
-from tests.browser import Browser, chromium, difference
+from tests.browser import Browser, difference
 
 pytestmark = pytest.mark.browser
 
@@ -20,12 +19,6 @@ TOLD = {"figma-angular": "foreign object", "animated-input": "animated"}
 
 #: Share of pixels that may differ.
 NEAR = 0.01
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as found:
-        yield found
 
 
 def test_there_are_files() -> None:

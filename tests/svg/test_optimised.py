@@ -1,7 +1,6 @@
 """What an optimiser makes of the animated file plays as the file itself does."""
 
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -9,7 +8,7 @@ import pytest
 import shapetween as st
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.timeline import Loop
-from tests.browser import Browser, chromium, difference
+from tests.browser import Browser, difference
 from tests.movements import sample_chain, sample_movement
 from tests.node import install
 
@@ -18,12 +17,6 @@ pytestmark = pytest.mark.browser
 INPUTS = Path(__file__).parents[2] / "gallery" / "inputs"
 
 SECONDS = (0.0, 0.45, 0.7, 1.0, 1.9)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,6 @@
 """What a browser makes of the animated file."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,18 +12,12 @@ from shapetween.model.paint import Colour, Gradient, Paint, Stop, Stroke, Style
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.timeline import Loop
-from tests.browser import Browser, chromium, difference
+from tests.browser import Browser, difference
 from tests.movements import circle, formula_part, sample_chain, sample_movement, spin
 
 pytestmark = pytest.mark.browser
 
 QUARTERS = (0.0, 0.25, 0.5, 0.75, 1.0)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 #: Share of pixels, 8 of a picture's, that may differ where the browser's tiles meet.

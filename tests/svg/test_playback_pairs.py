@@ -1,7 +1,6 @@
 """What a browser plays of whole drawings, against the frames of the same moments."""
 
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -14,7 +13,7 @@ from shapetween.pipeline import Options, prepare
 from shapetween.svg.read.reader import read_svg
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
-from tests.browser import Browser, chromium, difference
+from tests.browser import Browser, difference
 
 pytestmark = pytest.mark.browser
 
@@ -76,12 +75,6 @@ REAL = (
     "dev-strokes-10",
     "dev-multipart-08",
 )
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def check_played(browser: Browser, first: Drawing, last: Drawing) -> None:

@@ -1,7 +1,5 @@
 """Files that wait for a click or a pointer and go back again, in a browser, without a script."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
@@ -9,7 +7,7 @@ from shapetween.base.errors import OptionError
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.timeline import Loop
-from tests.browser import SIZE, Browser, Picture, chromium, difference
+from tests.browser import SIZE, Browser, Picture, difference
 from tests.movements import sample_chain, sample_movement
 
 pytestmark = pytest.mark.browser
@@ -19,12 +17,6 @@ SHOW = """(text) => {
     document.body.style.margin = 0;
     document.querySelector("svg").style.display = "block";
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as opened:
-        yield opened
 
 
 def shown(browser: Browser) -> Picture:

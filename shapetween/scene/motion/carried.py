@@ -12,7 +12,7 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.motion.tracks import OfPieces, OfTrack
 from shapetween.scene.places import Places
 
-__all__ = ["Carried", "Follower", "Tie", "Tied"]
+__all__ = ["Carried", "Follower", "Junction", "JunctionConstraint"]
 
 #: How soon a part's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.004
@@ -26,18 +26,18 @@ class Carried(OfPieces):
     ----------
     pieces : Pieces
         The line's, at both ends.
-    host : CurveTrack
+    anchor : CurveTrack
         Of what it runs along.
     scale : float
         Of the drawing.
     """
 
-    host: CurveTrack
+    anchor: CurveTrack
     scale: float
 
     @cached_property
     def _followers(self) -> tuple["Follower", "Follower"]:
-        there = self.host.curves(np.array([0.0, 1.0]))
+        there = self.anchor.curves(np.array([0.0, 1.0]))
         return (
             Follower.of(there[0], self.pieces.source, self.scale),
             Follower.of(there[1], self.pieces.target, self.scale),
@@ -45,8 +45,8 @@ class Carried(OfPieces):
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2); exactly the ends' own at 0 and 1."""
-        host = self.host.curves(t)
-        first, last = (follower.moved(host) for follower in self._followers)
+        anchor = self.anchor.curves(t)
+        first, last = (follower.moved(anchor) for follower in self._followers)
         part = t[:, None, None, None]
         result = (1 - part) * first + part * last
         result[:, 1:, 0] = result[:, :-1, 3]
@@ -96,52 +96,52 @@ def _places(curves: Curves) -> Points:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Tie:
+class Junction:
     """An end of a line that lies on another part in both drawings.
 
     Attributes
     ----------
     last : bool
         Which end.
-    host : CurveTrack
+    anchor : CurveTrack
     places : ((int, float), (int, float))
-        Curve and parameter of the host where it lies at the start and at the end.
+        Curve and parameter of the anchor where it lies at the start and at the end.
     """
 
     last: bool
-    host: CurveTrack
+    anchor: CurveTrack
     places: tuple[tuple[int, float], tuple[int, float]]
 
     @classmethod
-    def of(cls, line: CurveTrack, last: bool, host: CurveTrack) -> "Tie":
-        """Tied where it lies."""
+    def of(cls, line: CurveTrack, last: bool, anchor: CurveTrack) -> "Junction":
+        """Where it lies."""
         ends = np.array([0.0, 1.0])
         own = line.curves(ends)
         places = []
-        for curves, host_curves in zip(own, host.curves(ends), strict=True):
+        for curves, anchor_curves in zip(own, anchor.curves(ends), strict=True):
             point = curves[-1, 3] if last else curves[0, 0]
-            there = Places(Outline(_first_ring(host_curves, host), host.closed[0]))
+            there = Places(Outline(_first_ring(anchor_curves, anchor), anchor.closed[0]))
             curve, t = there.locate(there.nearest(point[None]))
             places.append((int(curve[0]), float(t[0])))
-        return cls(last, host, (places[0], places[1]))
+        return cls(last, anchor, (places[0], places[1]))
 
     def wanted(self, t: Floats, home: Points) -> Points:
         """Where the end is at the times (F,), (F, 2), and at both ends of the movement, (2, 2).
 
         It goes along what it lies on from one place to the other: across, it would go into it.
         """
-        hosts = self.host.curves(np.concatenate([[0.0, 1.0], t]))[:, : self.host.counts[0]]
-        there = Places(Outline(hosts[0], self.host.closed[0]))
+        anchors = self.anchor.curves(np.concatenate([[0.0, 1.0], t]))[:, : self.anchor.counts[0]]
+        there = Places(Outline(anchors[0], self.anchor.closed[0]))
         shares = [there.share(np.array([k]), np.array([at]))[0] for k, at in self.places]
         way = float(shares[1] - shares[0])
-        if self.host.closed[0]:
+        if self.anchor.closed[0]:
             way -= float(np.round(way))
         curve, at = there.locate(shares[0] + way * t)
         frames = np.arange(len(t))
-        along = evaluate(hosts[2 + frames, curve], at[:, None])[:, 0]
+        along = evaluate(anchors[2 + frames, curve], at[:, None])[:, 0]
         for end, (index, at_end) in enumerate(self.places):
             weight = t if end else 1 - t
-            point = evaluate(hosts[end, index], np.array([at_end]))[0]
+            point = evaluate(anchors[end, index], np.array([at_end]))[0]
             along = along + weight[:, None] * (home[end] - point)
         return np.asarray(along)
 
@@ -151,17 +151,17 @@ def _first_ring(curves: Curves, track: CurveTrack) -> Curves:
 
 
 @dataclass(frozen=True, eq=False)
-class Tied(OfTrack):
+class JunctionConstraint(OfTrack):
     """A line whose ends follow what they lie on; the pull fades to the other end.
 
     Its track is one open line.
 
     Attributes
     ----------
-    ties : tuple of Tie
+    junctions : tuple of Junction
     """
 
-    ties: tuple[Tie, ...]
+    junctions: tuple[Junction, ...]
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, P, 4, 2)."""
@@ -172,9 +172,9 @@ class Tied(OfTrack):
             curves.shape[1:3],
         )
         result = curves.copy()
-        for tie in self.ties:
-            k = (-1, 3) if tie.last else (0, 0)
-            pull = tie.wanted(t, ends[:, k[0], k[1]]) - curves[:, k[0], k[1]]
-            weight = share if tie.last else 1 - share
+        for junction in self.junctions:
+            k = (-1, 3) if junction.last else (0, 0)
+            pull = junction.wanted(t, ends[:, k[0], k[1]]) - curves[:, k[0], k[1]]
+            weight = share if junction.last else 1 - share
             result += pull[:, None, None] * weight[None, :, :, None]
         return result

@@ -22,7 +22,7 @@ class Fold:
     ----------
     pieces : Pieces
         The line's, and what each lies on at last.
-    host : CurveTrack
+    anchor : CurveTrack
         Of what it hangs on.
     end : End
         The end at which the line exists.
@@ -31,13 +31,13 @@ class Fold:
     """
 
     pieces: Pieces
-    host: CurveTrack
+    anchor: CurveTrack
     end: End
     scale: float
 
     @cached_property
     def _followers(self) -> tuple[Follower, Follower]:
-        home = self.host.curves(np.array([float(self.end)]))[0]
+        home = self.anchor.curves(np.array([float(self.end)]))[0]
         return (
             Follower.of(home, self.pieces.source, self.scale),
             Follower.of(home, self.pieces.target, self.scale),
@@ -45,8 +45,8 @@ class Fold:
 
     def curves(self, t: Floats, gone: Floats) -> Curves:
         """Control points at the times (F,) when it is folded so far (F,), (F, P, 4, 2)."""
-        host = self.host.curves(t)
-        up, down = (follower.moved(host) for follower in self._followers)
+        anchor = self.anchor.curves(t)
+        up, down = (follower.moved(anchor) for follower in self._followers)
         part = gone[:, None, None, None]
         result = (1 - part) * up + part * down
         result[:, 1:, 0] = result[:, :-1, 3]

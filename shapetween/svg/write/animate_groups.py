@@ -164,14 +164,13 @@ def _open(
     """Write a group into an element; what its parts go into."""
     first = track[0]
     opacities = [faded_opacity(group) for group in track]
-    attributes = {} if alpha_text(opacities[0]) == "1" else {"opacity": alpha_text(opacities[0])}
     styles = [blending(group) for group in track]
 
     def add_mask(mask: Mask) -> tuple[str, str]:
         index = next(k for k, each in enumerate(first.masks) if each is mask)
         return _mask(track, index, clock, times, defs, add_part)
 
-    element = open_masks(parent, first, attributes, add_mask)
+    element = open_masks(parent, first, add_mask)
     outer = parent[-1]
     if any(styles):
         _animate_blending(outer, styles, clock, defs)

@@ -120,18 +120,11 @@ def open_group(
     does a share now.
     """
     fades = group.share < 1 if fades is None else fades
-    attributes: dict[str, str] = {}
-    opacity = alpha_text(faded_opacity(group))
-    if opacity != "1":
-        attributes["opacity"] = opacity
-    style = blending(group)
-    if style:
-        attributes["style"] = style
 
     def add_mask(mask: Mask) -> tuple[str, str]:
         return _mask(mask, group.share, defs, fades=fades)
 
-    element = open_masks(parent, group, attributes, add_mask)
+    element = open_masks(parent, group, add_mask, blending(group))
     if group.filter is None:
         return element
     steps, name = filter_steps(group.filter, defs)
@@ -159,10 +152,14 @@ def blending(group: Group) -> str:
 def open_masks(
     parent: ET.Element,
     group: Group,
-    attributes: dict[str, str],
     add_mask: Callable[[Mask], tuple[str, str]],
+    style: str = "",
 ) -> ET.Element:
-    """An element with the group's attributes and its masks, or several within one another."""
+    """An element with the group's opacity, style and masks, or several within one another."""
+    opacity = alpha_text(faded_opacity(group))
+    attributes = {} if opacity == "1" else {"opacity": opacity}
+    if style:
+        attributes["style"] = style
     elements = [ET.SubElement(parent, "g", attributes)]
     for mask in group.masks:
         name, value = add_mask(mask)
