@@ -156,7 +156,10 @@ def test_newcomers_stand_above_what_they_stand_above_and_leavers_stay_in_place()
 
 
 def test_a_hole_that_arrives_stays_inside_the_moving_body() -> None:
-    """The body goes across the page and turns; the hole that opens in it is attached to it."""
+    """The body goes across the page and turns; the hole that opens in it is attached to it.
+
+    One that closes has done so at half time.
+    """
     bar = ring([(10, 10), (40, 10), (40, 20), (10, 20)])
     upright = ring([(70, 40), (80, 40), (80, 80), (70, 80)])
     hole = square(72, 70, 5)
@@ -165,10 +168,10 @@ def test_a_hole_that_arrives_stays_inside_the_moving_body() -> None:
         (area(upright, hole), area(bar), T[:-1]),
     ):
         prepared = prepare(drawing(first), drawing(second))
-        for frame in prepared.movement.at(times):
+        for t, frame in zip(times, prepared.movement.at(times), strict=True):
             outer, inner = frame.shapes[0].rings
             assert polygon(outer).contains(polygon(inner))
-            assert inner.area < 0
+            assert inner.area < 0 or (times[0] == 0 and t >= 0.5)
 
 
 def test_names_matched_by_the_user() -> None:

@@ -13,6 +13,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
+from shapetween.geometry.bezier import flatten
 from shapetween.scene.asked import Change
 from shapetween.scene.clusters import (
     Cluster,
@@ -46,6 +47,16 @@ LIES_ON = 0.8
 #: Size at which what grows is first seen: a share of its own, and at most one of the drawing. With
 #: none, what comes is a speck first; with much, it snaps into place.
 LEAST, LEAST_SEEN = 0.3, 0.06
+
+#: Gap to another part, as a share of the drawing, that a part keeps all along if that one covers a
+#: share of it at some time. Wider gaps are no gaps, and a part that only grazes another is no lump.
+GAP, COVERED = 0.06, 0.3
+
+#: Ratio of the sizes of two such parts. Of less alike ones, one is a twig or a dot of the other.
+LIKE = (0.8, 2.5)
+
+#: When that is looked at, of what comes; of what goes, backwards.
+AWAY_FROM_HOME = np.array([0.0, 0.25, 0.5])
 
 #: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.
 SLIM = 1.6
@@ -151,12 +162,48 @@ def _shrinks_to(
         if _behind(members, host, scene):
             return scene.items[host].centre, host, "in"
         return found[host][0], host, "at"
+    pushed = _pushed_by(members, side)
+    if pushed is not None:
+        return *pushed, "at"
     beside = nearest_beside(members, side)
     if len(members) == 1 and beside is not None:
         end = _slim_end(members[0], beside, scene)
         if end is not None:
             return end, beside, "beside"
     return _middle(members, scene), beside, "beside"
+
+
+def _pushed_by(members: Sequence[int], side: Side) -> tuple[Points, int] | None:
+    """Where a part is nearest to another one that is wider on its way, and which that is.
+
+    It keeps its gap to that from the start, or would grow out of it as a lump. One with a mate does
+    as that one does.
+    """
+    import shapely
+
+    scene = side.scene
+    mated = any(axis.mates[k] not in (-1, k) for axis in scene.axes for k in members)
+    if mated or not all(scene.items[k].filled for k in members):
+        return None
+    own = shapely.union_all([scene.items[k].drawn for k in members])
+    found = []
+    for j, tracks in side.hosts.items():
+        away = shapely.distance(own, scene.items[j].drawn) / scene.scale
+        larger = scene.sizes[j] / max(scene.sizes[k] for k in members)
+        if scene.sheets[j] or not scene.items[j].filled or not 0 < away < GAP:
+            continue
+        if not LIKE[0] < larger < LIKE[1]:
+            continue
+        curves = tracks[0].curves(np.abs(float(side.end is End.SOURCE) - AWAY_FROM_HOME))
+        rings = flatten(curves[:, : tracks[0].counts[0]], 4)
+        over = [shapely.make_valid(shapely.Polygon(ring)).intersection(own).area for ring in rings]
+        if max(over) > COVERED * own.area:
+            found.append((round(away, 9), j))
+    if not found:
+        return None
+    host = min(found)[1]
+    line = shapely.shortest_line(own, scene.items[host].drawn)
+    return np.array(line.coords[0]), host
 
 
 def _least(members: Sequence[int], scene: Scene) -> float:

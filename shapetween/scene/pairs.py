@@ -30,6 +30,9 @@ __all__ = ["main_pairs", "of_one_kind", "pair_tracks"]
 #: seen, and what is small bends as well by itself.
 MOST_ELASTIC = 2
 
+#: Sum of differences of colours that are one.
+COLOUR = 0.05
+
 
 def pair_tracks(
     k: int,
@@ -147,13 +150,15 @@ def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
     """Two items as they become each other.
 
     An open line beside an area is the area that its stroke covers, and so is a closed one beside
-    an area with holes, which is the frame that it looks like.
+    an area with holes, which is the frame that it looks like, or beside one of its own colour:
+    fill and stroke would be grey in between.
     """
     if first.filled == second.filled:
         return first, second
-    if not first.filled and (not first.closed or second.holes):
+    alike = np.abs(first.colour - second.colour).sum() < COLOUR
+    if not first.filled and (not first.closed or second.holes or alike):
         return _outline_of(first), second
-    if not second.filled and (not second.closed or first.holes):
+    if not second.filled and (not second.closed or first.holes or alike):
         return first, _outline_of(second)
     return first, second
 
@@ -161,7 +166,7 @@ def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
 def _outline_of(line: Item) -> Item:
     """The area that a line's stroke covers."""
     if line.painted is not None:
-        area = line.painted.rings
+        area = tuple(ring.clockwise() for ring in line.painted.rings)
         return Item(area if line.closed else area[:1], line.painted.style, line.shape, line.name)
     shape = outlined(Shape(line.rings, line.style, line.name))
     regions, _ = regions_of(shape, line.name)

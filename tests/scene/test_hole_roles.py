@@ -5,7 +5,7 @@ import numpy as np
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.scene.items import Item
-from shapetween.scene.motion.holes import hole_tracks
+from shapetween.scene.motion.holes import Opening, hole_tracks
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 from tests.drawings import ring, square
@@ -40,13 +40,101 @@ def test_the_only_round_hole_is_the_eye_wherever_it_is() -> None:
 
 
 def test_large_holes_become_large_ones_where_both_are_near() -> None:
-    small, large = square(35, 45, 4), square(55, 40, 18)
-    swapped = square(38, 40, 18), square(60, 45, 4)
-    pairs = becomes(plate(small, large), plate(*swapped))
-    assert ((64.0, 49.0), (47.0, 49.0)) in pairs
-    assert ((37.0, 47.0), (62.0, 47.0)) in pairs
+    small, large = square(28, 33, 4), square(21, 51, 18)
+    other_large, other_small = square(58, 41, 18), square(40, 48, 4)
+    pairs = becomes(plate(small, large), plate(other_large, other_small))
+    assert ((30.0, 35.0), (42.0, 50.0)) in pairs
+    assert ((30.0, 60.0), (67.0, 50.0)) in pairs
 
 
 def test_holes_far_apart_open_and_close() -> None:
     first, second = plate(square(5, 5, 8)), plate(square(85, 85, 8))
     assert len(becomes(first, second)) == 2
+
+
+def plus(x: float, y: float, reach: float) -> Outline:
+    own = reach / 3
+    corners = [(own, reach), (own, own), (reach, own)]
+    turned = [(a, b) for a, b in corners]
+    for _ in range(3):
+        corners = [(b, -a) for a, b in corners]
+        turned += corners
+    return ring([(x + a, y + b) for a, b in turned]).clockwise()
+
+
+def seen(first: Item, second: Item) -> list[tuple[float, float]]:
+    """From when until when each lone hole is seen."""
+    outer = Blend(Pieces(first.outer.curves, second.outer.curves, True), np.zeros((2, 2)))
+    times = np.linspace(0, 1, 41)
+    found = []
+    for track in hole_tracks(first, second, outer):
+        if isinstance(track, Opening):
+            sizes = np.ptp(track.curves(times), axis=(1, 2)).max(axis=1)
+            there = times[sizes > 1e-9]
+            found.append((float(there.min()), float(there.max())))
+    return sorted(found)
+
+
+def test_a_plus_closes_before_a_window_opens_in_its_place() -> None:
+    found = seen(plate(plus(50, 50, 20)), plate(square(35, 35, 30)))
+    assert len(found) == 2
+    assert found[0][1] <= 0.5 <= found[1][0]
+
+
+def test_one_pip_does_not_become_one_of_four() -> None:
+    four = [disc(x, y, 6) for x in (25, 75) for y in (25, 75)]
+    assert len(becomes(plate(disc(50, 50, 6)), plate(*four))) == 5
+    # Two of three that stay where they are do so.
+    pairs = becomes(plate(four[0], four[3]), plate(four[0], disc(50, 50, 6), four[3]))
+    assert sum(one == other for one, other in pairs) == 3
+
+
+def test_a_hole_goes_nowhere_over_another_one() -> None:
+    slot = ring([(47, 20), (53, 20), (53, 80), (47, 80)])
+    first, second = plate(disc(35, 50, 8), slot), plate(disc(65, 50, 8))
+    assert len(becomes(first, second)) == 3
+
+
+def test_a_hole_closes_before_what_it_lies_in_has_gone() -> None:
+    first = Item((ring([(0, 0), (90, 0), (90, 30), (0, 30)]), disc(80, 15, 8)), INK)
+    corners = [(0, 0), (45, 0), (45, 30), (0, 30)]
+    second = Item((ring(corners),), INK)
+    still = Blend(Pieces(first.outer.curves, second.outer.curves, True), np.zeros((2, 2)))
+    (track,) = hole_tracks(first, second, still)
+    times = np.linspace(0, 1, 21)
+    hole, area = track.curves(times), still.curves(times)
+    gone = np.ptp(hole, axis=(1, 2)).max(axis=1) < 1e-9
+    assert gone[-1]
+    inside = hole[..., 0].max(axis=(1, 2)) <= area[..., 0].max(axis=(1, 2)) + 0.1
+    assert (gone | inside).all()
+
+
+def test_a_hole_that_a_bar_divides_is_cut_where_the_bar_will_be() -> None:
+    first = plate(square(30, 20, 40))
+    second = plate(
+        ring([(30, 20), (70, 20), (70, 37), (30, 37)]),
+        ring([(30, 43), (70, 43), (70, 60), (30, 60)]),
+    )
+    for one, other in ((first, second), (second, first)):
+        outer = Blend(Pieces(one.outer.curves, other.outer.curves, True), np.zeros((2, 2)))
+        tracks = hole_tracks(one, other, outer)
+        assert len(tracks) == 2
+        halves = [track.curves(np.array([0.0, 0.5, 1.0])) for track in tracks]
+        widths = [np.ptp(half[..., 0], axis=(1, 2)) for half in halves]
+        np.testing.assert_allclose(widths, 40, atol=1e-6)
+        heights = [np.ptp(half[..., 1], axis=(1, 2)) for half in halves]
+        ends = [20, 18.5, 17] if one is first else [17, 18.5, 20]
+        np.testing.assert_allclose(heights, [ends, ends], atol=0.5)
+
+
+def test_the_hole_that_makes_a_frame_stays_one_whatever_its_form() -> None:
+    star = ring([(50, 5), (62, 38), (95, 50), (62, 62), (50, 95), (38, 62), (5, 50), (38, 38)])
+    assert len(becomes(plate(square(5, 5, 90)), plate(square(8, 8, 84)))) == 1
+    hollow = ring([(10, 10), (90, 10), (90, 90), (60, 90), (50, 60), (40, 90), (10, 90)])
+    assert len(becomes(plate(square(5, 5, 90)), plate(hollow))) == 1
+    assert len(becomes(plate(square(40, 40, 10)), plate(star))) == 2
+
+
+def test_a_bold_letter_becomes_a_light_one() -> None:
+    bold, light = plus(50, 50, 20), plus(50, 50, 16)
+    assert len(becomes(plate(bold), plate(light))) == 1

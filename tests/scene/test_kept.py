@@ -262,13 +262,16 @@ def test_rings_that_divide_have_no_tracks_of_outlines() -> None:
     )
 
 
-def test_a_slot_opens_round_at_one_end_and_is_drawn_from_there() -> None:
+def test_a_slot_opens_round_in_its_middle_and_is_drawn_to_both_ends() -> None:
     slot = shapely.LineString([(30, 50), (70, 50)]).buffer(5)
+    lengths = []
     for area in frames(path(BOX), path(BOX.difference(slot)))[3:]:
         void = BOX.buffer(-1).difference(area)
         low, high = np.array(void.bounds).reshape(2, 2)
-        np.testing.assert_allclose([low[0], low[1], high[1]], [25, 45, 55], atol=0.1)
-        assert void.area == pytest.approx((high[0] - low[0] - 10) * 10 + np.pi * 25, rel=0.02)
+        np.testing.assert_allclose([low[0] + high[0], low[1], high[1]], [100, 45, 55], atol=0.1)
+        lengths.append(high[0] - low[0])
+    assert np.diff(lengths)[:-2].min() > 0.5
+    assert lengths[-1] == pytest.approx(50, abs=0.1)
 
 
 @pytest.mark.parametrize("unit", [1e-6, 1e6])
@@ -342,3 +345,60 @@ def test_what_comes_apart_divides_and_is_no_kept_area() -> None:
     scene = prepared(path(BOX), path(beside)).scene
     assert scene is not None
     assert any(role.reason == "kept" for role in scene.roles.pairs)
+
+
+def test_holes_close_alike_before_one_opens_whose_edges_run_along_theirs() -> None:
+    squares = [shapely.box(x, y, x + 8, y + 8) for y in (42, 58) for x in (30, 46, 62)]
+    arms = shapely.union(shapely.box(46, 34, 54, 74), shapely.box(30, 50, 70, 58))
+    found = frames(path(BOX.difference(shapely.union_all(squares))), path(BOX.difference(arms)))
+    old = shapely.union_all(squares)
+    for t, area in zip(T, found, strict=True):
+        white = BOX.buffer(-1).difference(area)
+        assert white.difference(old if t < 0.5 else arms).area < 0.05
+        if t < 0.5:
+            sizes = [white.intersection(square).area for square in squares]
+            assert np.ptp(sizes) < 0.01
+    assert BOX.difference(found[4]).area < 0.05
+
+
+def test_a_slash_that_takes_a_corner_off_is_drawn_too_and_the_rest_stands_still() -> None:
+    bar = shapely.LineString([(12, 12), (88, 88)]).buffer(4)
+    corner = shapely.Polygon([(20, 26), (74, 80), (20, 80)])
+    comb = shapely.union_all([BOX, *(shapely.box(x, 8, x + 4, 20) for x in range(36, 80, 8))])
+    after = shapely.union(comb.difference(corner), bar)
+    kept = shapely.intersection(comb, after)
+    tips = []
+    for area in frames(path(comb), path(after)):
+        assert kept.difference(area).area < 0.05
+        assert area.difference(shapely.union(comb, bar)).area < 0.05
+        tips.append(bar.difference(comb).intersection(area).area)
+    assert np.diff(tips).min() > -1e-6
+    assert tips[0] < 0.01
+
+
+@pytest.mark.parametrize("centre", [(80, 80), (74, 72), (90, 50)])
+def test_a_bite_opens_round_a_badge_as_that_grows(centre: tuple[float, float]) -> None:
+    place = shapely.Point(centre)
+    badge, bite = place.buffer(9, 16), place.buffer(14, 16)
+    before, after = path(BOX), path(BOX.difference(bite)) + path(badge)
+    for first, second, times in ((before, after, T), (after, before, T[::-1])):
+        for t, area in zip(times, frames(first, second), strict=True):
+            size = 1 - (1 - t) ** 2
+            now = [place.buffer(size * reach, 16) for reach in (9, 14)]
+            expected = shapely.union(BOX.difference(now[1]), now[0])
+            assert off(area, expected) < 1.6
+
+
+def test_a_body_with_a_badge_is_exact_at_both_ends() -> None:
+    badge, bite = (shapely.Point(80, 80).buffer(r, 16) for r in (9, 14))
+    after = shapely.union(BOX.difference(bite), badge)
+    ends = frames(path(BOX), path(after), np.array([0.0, 1.0]))
+    assert off(ends[0], BOX) < 0.01
+    assert off(ends[1], after) < 0.01
+
+
+def test_wings_on_both_sides_of_a_body_are_no_slash() -> None:
+    wide = shapely.Polygon([(14, 40), (86, 40), (80, 80), (20, 80)])
+    for area in frames(path(BOX), path(shapely.union(shapely.box(20, 20, 80, 40), wide))):
+        low, _, high, _ = area.bounds
+        assert low + high == pytest.approx(100, abs=0.1)

@@ -8,6 +8,7 @@ import shapely
 
 import shapetween as st
 from shapetween.base.arrays import Floats
+from shapetween.geometry.bezier import signed_area
 from shapetween.model.drawing import Shape
 from shapetween.model.paint import Colour
 from shapetween.model.part import Part
@@ -415,3 +416,39 @@ def test_a_mouth_goes_to_its_middle_and_a_tick_to_where_one_begins_it(tmp_path: 
     tick = f'<path d="M7 12l3 3 7-7" {style}/>'
     (part,) = lone(morph(tmp_path, FACE + tick, FACE), arrives=False)
     assert box(part, 0.3)[0, 0] == pytest.approx(7, abs=0.05)
+
+
+def test_a_part_beside_one_that_is_wider_at_first_keeps_its_gap(tmp_path: Path) -> None:
+    head, body = (
+        '<circle cx="12" cy="7" r="4"/>',
+        '<rect x="4" y="13" width="16" height="8" rx="3"/>',
+    )
+    both = (
+        '<circle cx="8" cy="8" r="3"/><rect x="2" y="13" width="12" height="7" rx="3"/>'
+        '<path d="M15 13h5q2 0 2 2v2q0 2 -2 2h-5z"/>'
+    )
+    for arrives in (True, False):
+        ends = (head + body, both) if arrives else (both, head + body)
+        found = morph(tmp_path, *ends)
+        (part,) = lone(found, arrives=arrives)
+        for t in (0.3, 0.5, 0.7, 0.9):
+            at = np.array([t if arrives else 1 - t])
+            own = shapely.Polygon(part.curves(at)[0, :, 0])
+            others = [p for p in found.prepared.movement.parts if p is not part]
+            points = np.concatenate([p.curves(at)[0, :, 0] for p in others])
+            assert own.distance(shapely.MultiPoint(points)) > 0.3
+
+
+def test_a_fill_that_becomes_an_outline_of_its_colour_is_never_grey(tmp_path: Path) -> None:
+    solid = '<path d="M4 3h16l-2 18H6z"/>'
+    hollow = '<path d="M5 5h14l-2 15H7z" fill="none" stroke="#000" stroke-width="2"/>'
+    found = morph(tmp_path, solid, hollow)
+    (part,) = found.prepared.movement.parts
+    for t in np.linspace(0, 1, 9).tolist():
+        style = part.style(t)
+        assert isinstance(style.fill, Colour)
+        assert (style.fill.red, style.fill.alpha, style.opacity) == (0, 1, 1)
+        assert style.stroke is None
+    areas = [signed_area(ring.curves) for ring in found.at(1.0).shapes[0].rings]
+    assert len(areas) == 2
+    assert areas[0] * areas[1] < 0

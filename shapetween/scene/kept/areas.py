@@ -4,30 +4,35 @@ A lid that opens in a box, a badge on a bell, the slash through an eye: a person
 which something is done. So the outlines are not matched as wholes.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from shapetween.base.arrays import Points
 from shapetween.base.notices import Notice
 from shapetween.boolean.chords import chords_of
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
-from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
+from shapetween.scene.kept.badges import badge_tracks, badges_of, meets
 from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.changes import tracks_of_pieces
-from shapetween.scene.kept.pieces import areas_of, overlay
+from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
 from shapetween.scene.kept.stretches import Snapped, snapped
-from shapetween.scene.kept.voids import lone_void, paired_voids, void_track
+from shapetween.scene.kept.voids import (
+    lone_void,
+    loose_holes,
+    paired_voids,
+    void_track,
+    voids_in_turn,
+)
 from shapetween.scene.kept.wipes import InTurn
 
 if TYPE_CHECKING:
-    import shapely
+    pass
 
 __all__ = ["Kept", "KeptArea", "kept_areas"]
 
@@ -46,9 +51,6 @@ BODY = 0.08
 
 #: Least share of all outlines that is common, of either drawing.
 SHARED = 0.5
-
-#: Share of a hole that may lie outside of what the other drawing fills, for it to close.
-STRAY = 0.02
 
 #: Most areas of a drawing, and most curves of those of one colour, that are looked at; more take
 #: longer than it is worth.
@@ -111,10 +113,13 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     for found in looked:
         if _divides(found, REACH * scale):
             continue
-        members = found.members
-        tracks = _tracks(found, bars, scale)
-        if tracks is None:
+        beside = _beside(sides, looked, found)
+        moved = _tracks(found, bars, beside, sides, scale)
+        if moved is None:
             continue
+        tracks, badges = moved
+        first_of, second_of = found.members
+        members: Family = (sorted({*first_of, *badges[0]}), sorted({*second_of, *badges[1]}))
         largest = [
             max(own, key=lambda k: (round(side[k].area / scale**2, 9), -k))
             for side, own in zip(sides, members, strict=True)
@@ -233,7 +238,7 @@ def _look(
     if _curves(sides, family) > MOST_CURVES:
         return None
     reach = REACH * scale
-    found = snapped(_rings(items[0]), _rings(items[1]), reach)
+    found = snapped(drawn_rings(items[0]), drawn_rings(items[1]), reach)
     bars: list[Bar] = []
     members: tuple[list[int], list[int]] = ([], [])
     kept: tuple[list[Item], list[Item]] = ([], [])
@@ -259,7 +264,7 @@ def _look(
     if max(shares) < SHARED:
         return None
     if [len(side) for side in members] != [len(side) for side in family]:
-        found = snapped(_rings(kept[0]), _rings(kept[1]), reach)
+        found = snapped(drawn_rings(kept[0]), drawn_rings(kept[1]), reach)
     return _Looked(members, kept, found, tuple(bars))
 
 
@@ -278,20 +283,44 @@ def _divides(looked: _Looked, reach: float) -> bool:
     return split_alike(whole, parts) is not None
 
 
-def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[CurveTrack, ...] | None:
-    """Tracks of all that is kept, comes and goes."""
+def _beside(
+    sides: tuple[Sequence[Item], Sequence[Item]], looked: Sequence[_Looked], own: _Looked
+) -> Family:
+    """Items of the colour of what is kept that are no part of it."""
+    colour = own.items[0][0].colour
+    first, second = (
+        [
+            k
+            for k, item in enumerate(side)
+            if item.plain
+            and np.abs(item.colour - colour).sum() < COLOUR
+            and all(k not in found.members[n] for found in looked)
+        ]
+        for n, side in enumerate(sides)
+    )
+    return first, second
+
+
+def _tracks(
+    looked: _Looked,
+    bars: Sequence[Bar],
+    beside: Family,
+    sides: tuple[Sequence[Item], Sequence[Item]],
+    scale: float,
+) -> tuple[tuple[CurveTrack, ...], Family] | None:
+    """Tracks of all that is kept, comes and goes, and which of the items beside it are badges."""
     kept, found = looked.items, looked.snapped
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
     chords = chords_of([*found.first, *found.second])
-    holes = _loose_holes(counts, found)
+    holes = loose_holes(counts, found)
     solid = areas_of(chords.polylines, counts, {*holes[0], *holes[1]})
-    rings = _rings(kept[0]), _rings(kept[1])
+    rings = drawn_rings(kept[0]), drawn_rings(kept[1])
     count = len(rings[0])
     loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
     pairs = paired_voids(*loose, solid, scale)
     paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
     voids = [void_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
-    for side, k in _in_turn(holes, paired, chords.polylines, solid):
+    for side, k in voids_in_turn(holes, paired, chords.polylines, solid):
         paired.add(k)
         ring = loose[side][holes[side].index(k)]
         voids.append(InTurn(lone_void(ring, closes=side == 0), first=side == 0))
@@ -302,62 +331,20 @@ def _tracks(looked: _Looked, bars: Sequence[Bar], scale: float) -> tuple[CurveTr
         {k: ring for k, ring in enumerate(side) if k + first not in {*holes[0], *holes[1]}}
         for first, side in ((0, rings[0]), (count, rings[1]))
     ]
-    moved = tracks_of_pieces(laid, bars, bound[0], bound[1], REACH * scale)
-    return None if moved is None else (*moved, *voids)
-
-
-def _in_turn(
-    holes: tuple[list[int], list[int]],
-    paired: Collection[int],
-    polylines: Sequence[Points],
-    solid: tuple["shapely.Geometry", "shapely.Geometry"],
-) -> list[tuple[int, int]]:
-    """Holes without partners that lie on those of the other area: one closes, then one opens.
-
-    Returns
-    -------
-    list of (int, int)
-        Which area's, and its number among all rings.
-    """
-    import shapely
-
-    free = [[k for k in side if k not in paired] for side in holes]
-    areas = [[shapely.Polygon(polylines[k]) for k in side] for side in free]
-    found: list[tuple[int, int]] = []
-    for side in (0, 1):
-        for k, area in zip(free[side], areas[side], strict=True):
-            inside = area.difference(solid[1 - side]).area <= STRAY * area.area
-            if inside and any(area.intersects(other) for other in areas[1 - side]):
-                found.append((side, k))
-    return found
-
-
-def _loose_holes(
-    counts: tuple[Sequence[int], Sequence[int]], found: Snapped
-) -> tuple[list[int], list[int]]:
-    """Holes of either area of whose outline the other one has nothing, by number among all."""
-    first = 0
-    loose: tuple[list[int], list[int]] = ([], [])
-    for side, own in enumerate(counts):
-        shares = found.shared[side] / np.maximum(found.lengths[side], 1e-300)
-        at = 0
-        for count in own:
-            loose[side].extend(first + k for k in range(at + 1, at + count) if shares[k] < BODY)
-            at += count
-        first += at
-    return loose
-
-
-def _rings(items: Sequence[Item]) -> list[Outline]:
-    """All rings of some areas, outer ones clockwise and holes against."""
-    return [
-        ring
-        for item in items
-        for ring in (
-            item.outer.clockwise(),
-            *(hole.clockwise().reversed() for hole in item.holes),
-        )
-    ]
+    near = [sides[0][k] for k in beside[0]], [sides[1][k] for k in beside[1]]
+    badges = badges_of(laid, near, scale)
+    bitten = [piece for badge in badges for piece in badge.pieces]
+    moved = tracks_of_pieces(laid, bars, bitten, bound[0], bound[1], REACH * scale)
+    if moved is None:
+        return None
+    taken: Family = ([], [])
+    for badge in badges:
+        own = badge_tracks(badge, near[badge.comes], laid)
+        if meets(badge, near):
+            own = [InTurn(track, first=not badge.comes) for track in own]
+        moved = (*moved, *own)
+        taken[badge.comes].extend(beside[badge.comes][k] for k in badge.items)
+    return (*moved, *voids), taken
 
 
 def _covered(sides: tuple[Sequence[Item], Sequence[Item]], members: Family) -> bool:

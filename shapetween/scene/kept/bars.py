@@ -51,6 +51,23 @@ class Bar:
         reach = BESIDE * self.half
         return bool(aside.max() <= reach and along.max() <= self.length / 2 + reach)
 
+    def touches(self, area: "shapely.Geometry") -> bool:
+        """Whether an area comes as near to it as the gap beside a slash does."""
+        import shapely
+
+        ends = self.centre + np.array([[-0.5], [0.5]]) * self.length * self.ahead
+        return bool(shapely.distance(shapely.LineString(ends), area) <= BESIDE * self.half)
+
+    def beside(self, area: "shapely.Geometry") -> float:
+        """Share of the strips along both its sides, as wide as half of it, that an area covers."""
+        import shapely
+
+        ends = self.centre + np.array([[-0.5], [0.5]]) * self.length * self.ahead
+        line = shapely.LineString(ends)
+        wide, own = (line.buffer(k * self.half, cap_style="flat") for k in (2.0, 1.0))
+        strips = wide.difference(own)
+        return float(strips.intersection(area).area / strips.area)
+
     @property
     def ends(self) -> tuple[float, float]:
         """Where it starts and ends along its direction."""

@@ -1,6 +1,6 @@
 """How the pieces that only one of two areas has come and go beside what both have."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -14,12 +14,12 @@ from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.voids import lone_void
-from shapetween.scene.kept.wipes import Telescoped, Wiped
+from shapetween.scene.kept.wipes import Telescoped, Wiped, extent_along
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 
 if TYPE_CHECKING:
-    pass
+    import shapely
 
 __all__ = ["tracks_of_pieces"]
 
@@ -48,6 +48,10 @@ LARGE = 0.15
 #: free at its ends; edges that move leave pieces free along all their length.
 GAP = 0.8
 
+#: Share of a slash that may be missing in the area that has it, and least share of the strips along
+#: it that are cleared for it. Less, and wings that a body gets on both sides are a slash.
+BARRED, CLEARED = 0.03, 0.12
+
 #: Least ratio of what a piece touches and what is free of it, for it to be a notch.
 NOTCH = 2.0
 
@@ -65,6 +69,7 @@ MOST_PIECES = 6
 def tracks_of_pieces(
     laid: Overlay,
     bars: Sequence[Bar],
+    bitten: Collection[Piece],
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
     reach: float,
@@ -76,6 +81,8 @@ def tracks_of_pieces(
     laid : Overlay
     bars : sequence of Bar
         Bars that one of the areas has and the other has not.
+    bitten : collection of Piece
+        What badges bite off, which is moved with those.
     first, second : mapping of int to Outline
         Rings of both areas but for loose holes, as they are drawn, by their numbers.
     reach : float
@@ -91,11 +98,13 @@ def tracks_of_pieces(
     holes: list[Piece] = []
     others: list[Piece] = []
     for piece in laid.pieces:
+        if any(piece is own for own in bitten):
+            continue
         closed = piece.free.length < OPEN * piece.area.length and not len(piece.area.interiors)
         (holes if closed else others).append(piece)
     groups, rest = _beside(others, bars)
     if not any(groups):
-        bars = _common_bar(others)
+        bars = _common_bar(others, laid.kept)
         groups, rest = _beside(others, bars)
     openings = [lone_void(laid.rings_of(piece)[0], piece.comes) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
@@ -123,7 +132,11 @@ def _beside(pieces: Sequence[Piece], bars: Sequence[Bar]) -> tuple[list[list[Pie
     rest: list[Piece] = []
     for piece in pieces:
         points = shapely.get_coordinates(piece.area)
-        found = [k for k, bar in enumerate(bars) if bar.holds(points)]
+        found = [
+            k
+            for k, bar in enumerate(bars)
+            if bar.holds(points) or (piece.comes != bar.comes and bar.touches(piece.area))
+        ]
         (groups[found[0]] if found else rest).append(piece)
     return groups, rest
 
@@ -147,27 +160,39 @@ def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
     )
 
 
-def _common_bar(pieces: Sequence[Piece]) -> list[Bar]:
-    """The bar that several pieces are parts of together, as those beside a slash are."""
+def _common_bar(pieces: Sequence[Piece], kept: "shapely.Geometry") -> list[Bar]:
+    """The bar that several pieces are parts of together, as those of a slash are.
+
+    They are those beside it too, or the slash alone: what both have may be some of that.
+    """
     import shapely
 
+    sides = [[p for p in pieces if p.comes == comes] for comes in (False, True)]
+    if not all(sides):
+        return []
     ratios = [
         sum(p.free.length for p in side) / max(sum(p.contact.length for p in side), 1e-300)
-        for side in ([p for p in pieces if p.comes == comes] for comes in (False, True))
-        if side
+        for side in sides
     ]
-    if len(ratios) < 2 or min(ratios) > GAP:
-        return []
-    together = shapely.union_all([piece.area for piece in pieces])
-    bar = bar_of(together.convex_hull)
-    if bar is None:
-        return []
-    # Which of the areas has it: what reaches farthest.
-    far = [
-        float(np.abs((shapely.get_coordinates(p.area) - bar.centre) @ bar.ahead).max())
-        for p in pieces
-    ]
-    return [replace(bar, comes=pieces[int(comparable(far).argmax())].comes)]
+    if min(ratios) <= GAP:
+        together = shapely.union_all([piece.area for piece in pieces])
+        bar = bar_of(together.convex_hull)
+        if bar is not None:
+            # Which of the areas has it: what reaches farthest.
+            far = [
+                float(np.abs((shapely.get_coordinates(p.area) - bar.centre) @ bar.ahead).max())
+                for p in pieces
+            ]
+            return [replace(bar, comes=pieces[int(comparable(far).argmax())].comes)]
+    for comes, side in enumerate(sides):
+        hull = shapely.union_all([piece.area for piece in side]).convex_hull
+        bar = bar_of(hull, comes=bool(comes))
+        whole = shapely.union_all([kept, *(piece.area for piece in side)])
+        if bar is None or hull.difference(whole).area > BARRED * hull.area:
+            continue
+        if bar.beside(shapely.union_all([p.area for p in sides[1 - comes]])) > CLEARED:
+            return [bar]
+    return []
 
 
 def _blend(source: Curves, target: Curves) -> Blend:
@@ -176,24 +201,23 @@ def _blend(source: Curves, target: Curves) -> Blend:
 
 def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     """Pieces wiped as a bar is drawn, or undrawn."""
-    import shapely
-
     if not group:
         return []
-    places = np.concatenate([shapely.get_coordinates(p.area) for p in group]) @ bar.ahead
-    low, high = min(bar.ends[0], float(places.min())), max(bar.ends[1], float(places.max()))
+    rings = [laid.rings_of(p) for p in group]
+    reaches = [bar.ends, *(extent_along(own, bar.ahead) for own in rings)]
+    low, high = min(low for low, _ in reaches), max(high for _, high in reaches)
     ends = (low, high) if bar.comes else (high, low)
-    return [Wiped(laid.rings_of(p), bar.ahead, ends, p.comes == bar.comes) for p in group]
+    return [
+        Wiped(own, bar.ahead, ends, p.comes == bar.comes)
+        for p, own in zip(group, rings, strict=True)
+    ]
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> CurveTrack:
     """A piece that comes out of what it touches, or goes into it."""
-    import shapely
-
     way = _way(piece)
-    places = shapely.get_coordinates(piece.area) @ way
-    low, high = float(places.min()), float(places.max())
     rings = laid.rings_of(piece)
+    low, high = extent_along(rings, way)
     if _stands(piece, laid) and _has_walls(piece, way):
         return Telescoped(rings, way, low, high - low, piece.comes)
     ends = (low, high) if piece.comes else (high, low)

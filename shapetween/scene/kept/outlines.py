@@ -43,6 +43,7 @@ def outline_tracks(
         None if rings divide or join, their stretches follow in another order, or a ring would cross
         itself or another one on its way.
     """
+    stretches = [s for s in stretches if s.rings[0] in first and s.rings[1] in second]
     partner = {stretch.rings for stretch in stretches}
     if not len(partner) == len(first) == len(second):
         return None

@@ -12,12 +12,13 @@ from shapetween.boolean.chords import Chords
 from shapetween.boolean.trace import traced
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
+from shapetween.scene.items import Item
 from shapetween.scene.kept.stretches import Snapped
 
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["Overlay", "Piece", "areas_of", "overlay"]
+__all__ = ["Overlay", "Piece", "areas_of", "drawn_rings", "overlay"]
 
 #: Area, as a share of the square of the drawing's size, of a piece that rounding makes.
 ROUNDING = 1e-7
@@ -107,6 +108,18 @@ class Overlay:
         """A ring's curves where the second area has them, in that one's own curves."""
         second, exact = self._moved
         return _image(ring.curves, second, exact) if len(second) else ring.curves
+
+
+def drawn_rings(items: Sequence[Item]) -> list[Outline]:
+    """All rings of some areas, outer ones clockwise and holes against."""
+    return [
+        ring
+        for item in items
+        for ring in (
+            item.outer.clockwise(),
+            *(hole.clockwise().reversed() for hole in item.holes),
+        )
+    ]
 
 
 def areas_of(

@@ -1,45 +1,46 @@
 """Holes that both areas have, each moving as the form it is: a disc, a box, a stroke."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
-from shapetween.fill.regions import Region
+from shapetween.base.arrays import Points
 from shapetween.geometry.bezier import signed_area
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.model.part import CurveTrack
-from shapetween.scene.forms import RoundedBox, form_of
+from shapetween.scene.forms import form_of
 from shapetween.scene.items import Item
 from shapetween.scene.kept.bars import bar_of
+from shapetween.scene.kept.stretches import Snapped
 from shapetween.scene.kept.wipes import Against, Slot
 from shapetween.scene.motion.choose import Ends, open_track
+from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_of
 from shapetween.scene.motion.holes import Opening, matched_holes
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
-from shapetween.scene.relations import in_common, pictures
-from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 from shapetween.scene.strokes import as_painted, line_of
 
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["lone_void", "paired_voids", "void_track"]
+__all__ = ["lone_void", "loose_holes", "paired_voids", "void_track", "voids_in_turn"]
 
-#: Greatest distance of two holes that become each other, as a share of the drawing; what a factor
-#: e in size counts beside it; and the greatest such factor.
-APART, SIZE, GROWN = 0.8, 0.15, 1.2
+#: Greatest distance of two holes that become each other, as a share of the drawing, and factor
+#: between their sizes, as a logarithm. More, and a hole crosses what another would open in.
+APART, GROWN = 0.8, 1.2
 
-#: Share of the way of two holes that may lie outside of what is solid.
+#: Share of a hole, or of the way of two, that may lie outside of what is solid.
 STRAY = 0.02
-
-#: Least share that two holes have in common, each in its own square, to be of one form.
-ALIKE = 0.6
 
 #: Distance from its mirror image, as a share of its size, of a line that is its own.
 SYMMETRIC = 0.02
+
+#: Least share of its outline that one of two holes has in common with the other area, for them to
+#: be one that changes. Smaller, and a plus grows out of the squares whose edges it happens to run
+#: along; larger, and a bar that gets a cross bar is closed first.
+MOSTLY = 0.6
 
 #: Least ratio of the sides of a hole that is drawn as a bar.
 SLOT = 2.2
@@ -66,48 +67,70 @@ def paired_voids(
         Size of the drawing.
     """
     import shapely
-    from scipy.optimize import linear_sum_assignment
 
     if not first or not second:
         return []
     items = [[Item((ring.clockwise(),), _INK) for ring in side] for side in (first, second)]
-    centres = [np.array([item.centre for item in side]) for side in items]
     sizes = [np.array([item.size for item in side]) for side in items]
-    apart = np.linalg.norm(centres[0][:, None] - centres[1], axis=-1) / scale
-    grown = np.abs(np.log(sizes[0][:, None] / sizes[1]))
-    cost: Floats = np.round(apart + SIZE * grown, 9)
-    rows, columns = linear_sum_assignment(cost)
+    apart = distances(items[0], items[1], scale)
+    allowed = (apart <= APART) & (np.abs(np.log(sizes[0][:, None] / sizes[1])) <= GROWN)
     both = solid[0].intersection(solid[1])
-    alike = in_common(pictures(items[0]), pictures(items[1])) > ALIKE
-    boxes, bent = (
-        [np.array([test(item) for item in side]) for side in items]
-        for test in (_is_box, _is_stroke)
-    )
-    alike |= (boxes[0][:, None] & boxes[1]) | (bent[0][:, None] & bent[1])
-    found = []
-    for i, j in zip(rows.tolist(), columns.tolist(), strict=True):
-        if apart[i, j] > APART or grown[i, j] > GROWN or not alike[i, j]:
-            continue
+    for i, j in np.argwhere(allowed).tolist():
         way = shapely.union(items[0][i].enclosed, items[1][j].enclosed).convex_hull
-        if way.difference(both).area <= STRAY * way.area:
-            found.append((i, j))
-    return found
+        allowed[i, j] = way.difference(both).area <= STRAY * way.area
+    return paired_holes(items[0], items[1], apart, allowed)
 
 
-def _is_box(item: Item) -> bool:
-    return isinstance(form_of(item), RoundedBox)
+def voids_in_turn(
+    holes: tuple[list[int], list[int]],
+    paired: Collection[int],
+    polylines: Sequence[Points],
+    solid: tuple["shapely.Geometry", "shapely.Geometry"],
+) -> list[tuple[int, int]]:
+    """Holes without partners where both areas have some: first they close, then they open.
+
+    Returns
+    -------
+    list of (int, int)
+        Which area's, and its number among all rings.
+    """
+    import shapely
+
+    found: tuple[list[int], list[int]] = ([], [])
+    for side in (0, 1):
+        for k in holes[side]:
+            area = shapely.Polygon(polylines[k])
+            if k not in paired and area.difference(solid[1 - side]).area <= STRAY * area.area:
+                found[side].append(k)
+    if not found[0] or not found[1]:
+        return []
+    return [(side, k) for side in (0, 1) for k in found[side]]
 
 
-def _is_stroke(item: Item) -> bool:
-    return _stroke_of(item) is not None
+def loose_holes(
+    counts: tuple[Sequence[int], Sequence[int]], found: Snapped
+) -> tuple[list[int], list[int]]:
+    """Holes of either area that are none of the other one's changed, by number among all.
 
-
-def _stroke_of(item: Item) -> OutlinedStroke | None:
-    """The one open stroke that a hole is, if it is one."""
-    strokes = outlined_strokes(Region(item.outer))
-    if strokes is None or len(strokes) != 1 or strokes[0].line.line.closed:
-        return None
-    return strokes[0]
+    Of those, one of the two has most of its outline in common with the other area.
+    """
+    mostly = [
+        shared >= MOSTLY * np.maximum(lengths, 1e-300)
+        for shared, lengths in zip(found.shared, found.lengths, strict=True)
+    ]
+    bound = [own.copy() for own in mostly]
+    for stretch in found.stretches:
+        for side in (0, 1):
+            bound[side][stretch.rings[side]] |= mostly[1 - side][stretch.rings[1 - side]]
+    first = 0
+    loose: tuple[list[int], list[int]] = ([], [])
+    for side, own in enumerate(counts):
+        at = 0
+        for count in own:
+            loose[side].extend(first + k for k in range(at + 1, at + count) if not bound[side][k])
+            at += count
+        first += at
+    return loose
 
 
 def void_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
@@ -129,7 +152,7 @@ def void_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
 
 
 def lone_void(ring: Outline, closes: bool) -> CurveTrack:
-    """A hole that opens round its middle, or closes; a bar opens round at one end and is drawn.
+    """A hole that opens round its middle, or closes; a bar opens round and is drawn to both ends.
 
     Parameters
     ----------
@@ -142,8 +165,8 @@ def lone_void(ring: Outline, closes: bool) -> CurveTrack:
     if bar is None:
         return Opening(Blend(Pieces(void, void, True), np.stack([void[0, 0]] * 2)), closes)
     places = void @ bar.ahead
-    low, high = float(places.min()) + bar.half, float(places.max()) - bar.half
-    begun = void - np.clip(places - low, 0.0, high - low)[..., None] * bar.ahead
+    middle, half = float(places.min() + places.max()) / 2, float(np.ptp(places)) / 2 - bar.half
+    begun = void - np.clip(places - middle, -half, half)[..., None] * bar.ahead
     return Slot(begun, void, closes)
 
 
@@ -151,7 +174,7 @@ def _as_stroke(one: Item, other: Item, scale: float) -> CurveTrack | None:
     """Two holes that are outlined strokes by their lines; None of others."""
     lines = []
     for item in (one, other):
-        stroke = _stroke_of(item)
+        stroke = stroke_of(item)
         if stroke is None:
             return None
         lines.append(line_of(stroke, item))

@@ -1,5 +1,6 @@
 """Tracks of what comes and goes beside what stands still: wiped by a line, or slid into it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,9 +15,9 @@ from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import OfTrack
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped"]
+__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped", "extent_along"]
 
-#: Share of the time that a slot opens in, in which it opens round at its end. Longer, and there is
+#: Share of the time that a slot opens in, in which it opens round. Longer, and there is
 #: a speck for long.
 POINTED = 0.2
 
@@ -110,6 +111,12 @@ class Wiped(Leaf):
         return _closed(result, self.counts)
 
 
+def extent_along(rings: Sequence[Outline], ahead: Points) -> tuple[float, float]:
+    """Where rings begin and end along a direction: a line there cuts nothing off their curves."""
+    places = np.concatenate([_one_way(ring.curves, ahead)[:, [0, 3]] for ring in rings]) @ ahead
+    return float(places.min()), float(places.max())
+
+
 def _straight(start: Points, end: Points) -> Curves:
     thirds = np.linspace(0.0, 1.0, 4)[:, None]
     return np.asarray((1 - thirds) * start[..., None, :] + thirds * end[..., None, :])
@@ -172,7 +179,7 @@ def _crossing(place: Floats, limit: Floats, rising: Mask) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Slot(Leaf):
-    """A hole that opens round at one end and is drawn out from there, or does so backwards.
+    """A hole that opens round in its middle and is drawn out from there, or does so backwards.
 
     Attributes
     ----------

@@ -10,7 +10,7 @@ from shapetween.geometry.bezier import evaluate
 from shapetween.match.moments import area_moments
 from shapetween.model.part import CurveTrack
 
-__all__ = ["Calm", "asks_to_turn", "calm_of"]
+__all__ = ["Calm", "asks_to_turn", "calm_of", "turning_of"]
 
 #: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
 #: limbs, which swing: that is the outline engine's.
@@ -66,13 +66,13 @@ def calm_of(track: CurveTrack) -> Calm:
     """How calmly a track's outer ring goes."""
     count = track.counts[0]
     curves = track.curves(TURNING)[:, :count]
-    turns = np.round([_turns(ring) for ring in curves], 6)
+    turns = np.round([turning_of(ring) for ring in curves], 6)
     ends = float(max(turns[0], turns[-1]))
     crossing = crossing_frames(track.curves(LOOKED)[:, :count], [count], [True]).any()
     return Calm(ends, float(turns[1:-1].max()) - ends, bool(crossing))
 
 
-def _turns(ring: Curves) -> float:
+def turning_of(ring: Curves) -> float:
     """All turning of a closed ring (P, 4, 2), either way, in whole turns."""
     points = evaluate(ring, np.arange(8) / 8).reshape(-1, 2)
     points = np.concatenate([points, points[:1]])

@@ -1,0 +1,327 @@
+"""Badges: a part that comes with a bite cut out of the body round it, which opens as it grows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.geometry.bezier import sub_curves
+from shapetween.model.outline import Outline
+from shapetween.model.part import CurveTrack, Leaf
+from shapetween.scene.items import Item
+from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
+
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Badge", "badge_tracks", "badges_of", "meets"]
+
+#: Widest gap between a badge and the body, as a share of the drawing.
+WIDEST = 0.15
+
+#: Most by which that gap varies, as a share of its mean: a bite is the badge's own offset shape.
+VARIES = 0.35
+
+#: Directions round a badge's middle in which the reach of its bite is known, and the most that a
+#: curve spans of them, radians, to be moved by its control points.
+AROUND, SPAN = 720, np.deg2rad(6.0)
+
+#: Angle, radians, by which a bite's border may run back as seen from there, at its very ends.
+BACK = 0.01
+
+#: Halvings of a curve for that.
+HALVINGS = 8
+
+#: Distance of the middle from the bite's border, as a share of its size, below which it is moved
+#: away by as much: a border through the middle has no direction there.
+ASIDE = 0.02
+
+#: Share of its reach by which what is bitten off may lie beyond it.
+BEYOND = 0.03
+
+#: Power of the time that is left by which a badge is still to grow. At 1 it comes evenly, a speck
+#: for long; much larger, and it snaps.
+GROWS = 2.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Badge:
+    """A part beside what is kept, and what is bitten out of that round it.
+
+    Attributes
+    ----------
+    items : tuple of int
+        Its own, among those that were looked at.
+    comes : bool
+        Whether the second drawing has it.
+    pieces : tuple of Piece
+        What is bitten off.
+    centre, middle : (2,) float64
+        What it grows about, and what the bite opens about, which is next to that.
+    reach : (AROUND,) float64
+        How far the bite reaches from its middle, by direction.
+    """
+
+    items: tuple[int, ...]
+    comes: bool
+    pieces: tuple[Piece, ...]
+    centre: Points
+    middle: Points
+    reach: Floats
+
+
+def badges_of(
+    laid: Overlay, beside: tuple[Sequence[Item], Sequence[Item]], scale: float
+) -> list[Badge]:
+    """Which items beside what is kept have a bite round them.
+
+    Parameters
+    ----------
+    laid : Overlay
+    beside : (sequence of Item, sequence of Item)
+        Items of both drawings that are in neither of the areas.
+    scale : float
+        Size of the drawing.
+    """
+    import shapely
+
+    found: dict[tuple[bool, tuple[int, ...]], list[Piece]] = {}
+    for piece in laid.pieces:
+        if piece.contact.is_empty or piece.free.is_empty:
+            continue
+        comes = not piece.comes
+        items = beside[int(comes)]
+        drawn = np.array([item.drawn for item in items], dtype=object)
+        edge = shapely.points(
+            shapely.get_coordinates(shapely.segmentize(piece.contact, scale / 200))
+        )
+        near = tuple(
+            k
+            for k, area in enumerate(drawn)
+            if shapely.distance(area, piece.contact) < WIDEST * scale
+        )
+        if not near:
+            continue
+        away = shapely.distance(shapely.union_all(drawn[list(near)]), edge)
+        if away.min() > 0 and np.ptp(away) <= VARIES * 2 * away.mean():
+            found.setdefault((comes, near), []).append(piece)
+    badges = []
+    for (comes, near), pieces in found.items():
+        boxes = np.array([beside[int(comes)][k].box for k in near])
+        centre = (boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2
+        middle = _aside(centre, pieces)
+        reach = _reach(pieces, middle)
+        if reach is not None:
+            badges.append(Badge(near, comes, tuple(pieces), centre, middle, reach))
+    return badges
+
+
+def badge_tracks(badge: Badge, items: Sequence[Item], laid: Overlay) -> list[CurveTrack]:
+    """Tracks of a badge's items and of what is bitten off.
+
+    Parameters
+    ----------
+    badge : Badge
+    items : sequence of Item
+        Those that were looked at.
+    laid : Overlay
+    """
+    import shapely
+
+    rings = drawn_rings([items[k] for k in badge.items])
+    tracks: list[CurveTrack] = [Grown(tuple(rings), badge.centre, badge.comes)]
+    for piece in badge.pieces:
+        holds = bool(piece.area.contains(shapely.Point(badge.middle)))
+        tracks.append(Bitten(laid.rings_of(piece), badge.middle, badge.reach, badge.comes, holds))
+    return tracks
+
+
+def meets(badge: Badge, beside: tuple[Sequence[Item], Sequence[Item]]) -> bool:
+    """Whether something of the other drawing lies where a badge is: one waits for the other."""
+    boxes = np.array([beside[int(badge.comes)][k].box for k in badge.items])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    return any(
+        bool((item.box[0] < high).all() and (item.box[1] > low).all())
+        for item in beside[1 - int(badge.comes)]
+    )
+
+
+def _aside(centre: Points, pieces: Sequence[Piece]) -> Points:
+    """A place next to a centre that lies on no border of what is bitten off."""
+    import shapely
+
+    for piece in pieces:
+        size = float(np.sqrt(piece.area.area))
+        if piece.area.boundary.distance(shapely.Point(centre)) < ASIDE * size:
+            inner = piece.area.representative_point()
+            away = centre - np.array([inner.x, inner.y])
+            centre = centre + ASIDE * size * away / float(np.hypot(*away))
+    return centre
+
+
+def _reach(pieces: Sequence[Piece], centre: Points) -> Floats | None:
+    """How far a bite reaches from its middle, by direction; None if it is not seen from there."""
+    import shapely
+
+    table = np.full(AROUND, np.nan)
+    for piece in pieces:
+        lines = shapely.get_parts(shapely.line_merge(piece.contact)).tolist()
+        for line in lines:
+            angle, away = _polar(_dense(line), centre)
+            steps = np.diff(angle)
+            if min(steps.clip(min=0).sum(), -steps.clip(max=0).sum()) > BACK:
+                return None
+            if steps.sum() < 0:
+                angle, away = angle[::-1], away[::-1]
+            place = np.maximum.accumulate(angle) / (2 * np.pi) * AROUND
+            inner = np.arange(np.ceil(place[0]), np.floor(place[-1]) + 1)
+            table[inner.astype(int) % AROUND] = np.interp(inner, place, away)
+    known = np.flatnonzero(~np.isnan(table))
+    if not len(known):
+        return None
+    every = np.arange(AROUND)
+    reach = np.interp(every, known, table[known], period=AROUND)
+    free = np.isnan(table)
+    for piece in pieces:
+        angle, away = _polar(_dense(piece.area.boundary), centre)
+        at = np.round(angle / (2 * np.pi) * AROUND).astype(int) % AROUND
+        if (away > (1 + BEYOND) * np.interp(at, every, reach))[~free[at]].any():
+            return None
+        np.maximum.at(reach, at[free[at]], away[free[at]])
+    return np.asarray(reach)
+
+
+def _dense(line: "shapely.Geometry") -> Points:
+    import shapely
+
+    return np.asarray(shapely.get_coordinates(shapely.segmentize(line, line.length / AROUND)))
+
+
+def _polar(points: Points, centre: Points) -> tuple[Floats, Floats]:
+    """Directions of points, going on from one to the next, and distances from a centre."""
+    offsets = points - centre
+    angle = np.unwrap(np.arctan2(offsets[..., 1], offsets[..., 0]))
+    return angle, np.hypot(offsets[..., 0], offsets[..., 1])
+
+
+def _grown(t: Floats, comes: bool) -> Floats:
+    return np.asarray(1 - (1 - t if comes else t) ** GROWS)
+
+
+@dataclass(frozen=True, eq=False)
+class Grown(Leaf):
+    """Rings that grow about a place, or shrink into it.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+    centre : (2,) float64
+    comes : bool
+    """
+
+    rings: tuple[Outline, ...]
+    centre: Points
+    comes: bool
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(len(ring.curves) for ring in self.rings)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return (True,) * len(self.rings)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        whole = np.concatenate([ring.curves for ring in self.rings])
+        size = _grown(t, self.comes)[:, None, None, None]
+        grown = self.centre + size * (whole - self.centre)
+        return np.where(size == 1, whole, grown)
+
+
+@dataclass(frozen=True, eq=False)
+class Bitten(Leaf):
+    """Rings of which what lies near a place is pushed away from it, as far as a bite reaches.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+    centre : (2,) float64
+    reach : (AROUND,) float64
+        How far the whole bite reaches, by direction.
+    comes : bool
+        Whether the bite opens.
+    holds : bool
+        Whether the place is inside of the rings: the bite is a hole there at first.
+
+    Notes
+    -----
+    A point at the distance r in the direction u goes to max(r, s R(u)) u, R being the reach and s
+    the bite's size. That leaves all outside of the bite where it is; what is inside is pushed onto
+    its border, where it encloses nothing.
+    """
+
+    rings: tuple[Outline, ...]
+    centre: Points
+    reach: Floats
+    comes: bool
+    holds: bool
+
+    @cached_property
+    def _curves(self) -> tuple[Curves, tuple[int, ...]]:
+        parts = [_spanning(ring.curves, self.centre) for ring in self.rings]
+        if self.holds:
+            count = round(2 * np.pi / SPAN)
+            ends = -2 * np.pi * np.arange(count + 1) / count
+            thirds = ends[:-1, None] + np.diff(ends)[:, None] * np.arange(4) / 3
+            round_it = np.stack([np.cos(thirds), np.sin(thirds)], axis=-1)
+            parts.append(self.centre + 1e-9 * self.reach.min() * round_it)
+        return np.concatenate(parts), tuple(len(part) for part in parts)
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return self._curves[1]
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return (True,) * len(self.counts)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        whole, _ = self._curves
+        size = _grown(t, self.comes)[:, None, None]
+        offsets = whole - self.centre
+        away = np.hypot(offsets[..., 0], offsets[..., 1])
+        angle = np.arctan2(offsets[..., 1], offsets[..., 0]) / (2 * np.pi) * AROUND
+        reach = np.interp(angle, np.arange(AROUND), self.reach, period=AROUND)
+        pushed = np.maximum(away, size * reach)
+        result = self.centre + (pushed / np.maximum(away, 1e-300))[..., None] * offsets
+        result = np.where((away >= size * reach)[..., None], whole, result)
+        # What is all bitten off is a point: renderers show a line that encloses nothing as a hair.
+        return np.where(size[..., None] == 1, whole[0, 0], result)
+
+
+def _spanning(curves: Curves, centre: Points) -> Curves:
+    """Curves cut so that each spans a small angle as seen from a centre."""
+    for _ in range(HALVINGS):
+        offsets = curves - centre
+        angle = np.arctan2(offsets[..., 1], offsets[..., 0])
+        turn = (angle - angle[:, :1] + np.pi) % (2 * np.pi) - np.pi
+        wide = np.ptp(turn, axis=1) > SPAN
+        if not wide.any():
+            break
+        repeated = np.repeat(curves, np.where(wide, 2, 1), axis=0)
+        low, high = np.zeros(len(repeated)), np.ones(len(repeated))
+        first = np.cumsum(np.where(wide, 2, 1)) - np.where(wide, 2, 1)
+        high[first[wide]], low[first[wide] + 1] = 0.5, 0.5
+        cut = sub_curves(repeated, low, high)
+        cut[(low == 0) & (high == 1)] = repeated[(low == 0) & (high == 1)]
+        curves = cut
+    return curves
