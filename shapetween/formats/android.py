@@ -86,14 +86,15 @@ def vector_drawable(
         [drawing for m in movements for drawing in m.at(np.array([0.0, 1.0]))], options.precision
     )
     easing = easing_function(options.easing)
+    lengths = segments.lengths(options.duration)
     layers: list[_Layer] = []
     warnings = [*colour_losses(movements, ".xml"), *group_losses(movements, ".xml")]
-    step = 1000 * (options.duration + options.hold)
+    ends = np.cumsum([0.0, *(1000 * (each + options.hold) for each in lengths)]).tolist()
     for leg, movement in enumerate(movements):
-        start = 1000 * options.hold + leg * step
+        start = ends[leg] + 1000 * options.hold
         # The first is shown from the start on, and the last stays.
-        shown = (0 if leg == 0 else round(leg * step), round((leg + 1) * step))
-        window = _Window(shown, start, start + 1000 * options.duration, leg == len(movements) - 1)
+        shown = (round(ends[leg]), round(ends[leg + 1]))
+        window = _Window(shown, start, ends[leg + 1], leg == len(movements) - 1)
         for place, part in enumerate(movement.parts, start=1):
             name = part.name or f"part {place}"
             made, lost = _part_layers(part, name, window, grid, options, easing)

@@ -96,14 +96,17 @@ class _Plan:
 
 def _plan(segments: Segments, options: WriteOptions) -> _Plan:
     """One run of it. There and back, half of the rest at each turn is before, and half after."""
-    legs, hold, duration = len(segments.movements), options.hold, options.duration
+    hold, lengths = options.hold, segments.lengths(options.duration)
     swing = options.loop == "alternate"
     before = hold / 2 if swing else hold
     last = hold if options.loop == "repeat" and not segments.closed else 0.0
     after = hold / 2 if swing else last
-    whole = before + legs * duration + (legs - 1) * hold + after
-    starts = [before + leg * (duration + hold) for leg in range(legs)]
-    ways = [(100 * start / whole, 100 * (start + duration) / whole) for start in starts]
+    starts = [before + sum(lengths[:leg]) + leg * hold for leg in range(len(lengths))]
+    ends = [start + length for start, length in zip(starts, lengths, strict=True)]
+    whole = ends[-1] + after
+    ways = [
+        (100 * start / whole, 100 * end / whole) for start, end in zip(starts, ends, strict=True)
+    ]
     return _Plan(whole, before if swing else 0.0, ways)
 
 

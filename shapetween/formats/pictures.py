@@ -1,8 +1,11 @@
 """Movements as pictures: one file of moving ones, or a PNG a frame."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
+import numpy as np
+
+from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.options import WriteOptions
@@ -50,7 +53,7 @@ def mp4(segments: Segments, options: WriteOptions, observe: Observer = unobserve
 
 def frames(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """One PNG a frame, into a folder; where two segments meet it is one frame."""
-    film = _film(segments, options, options.frames)
+    film = _film(segments, options, even_times(options.frames))
     clock = Clock(film.count, defaults.FPS, False)
     return _drawn(film, list(range(film.count)), clock, write_folder, observe)
 
@@ -58,30 +61,34 @@ def frames(segments: Segments, options: WriteOptions, observe: Observer = unobse
 def _moving(ending: str, segments: Segments, options: WriteOptions, observe: Observer) -> Written:
     """One file of moving pictures."""
     fps = options.fps or defaults.FPS
-    steps = max(2, round(fps * options.duration)) - 1
+    steps = [max(2, round(fps * each)) - 1 for each in segments.lengths(options.duration)]
     held = round(fps * options.hold)
-    if steps + held > defaults.MOST_FRAMES:
+    if max(steps) + held > defaults.MOST_FRAMES:
         most = defaults.MOST_FRAMES
-        raise OptionError(f"fps and duration: {steps + held} frames; expected at most {most}")
-    film = _film(segments, options, steps + 1)
-    order = _order(steps, held, options, segments)
-    clock = Clock(len(order), fps, options.loop != "once")
-    return _drawn(film, order, clock, WRITERS[ending], observe)
+        raise OptionError(f"fps and duration: {max(steps) + held} frames; expected at most {most}")
+    # What is drawn of each leg is at these times; of legs of other lengths only some of them are.
+    clock = np.unique(np.concatenate([even_times(count + 1) for count in steps]))
+    film = _film(segments, options, clock)
+    order = _order(steps, held, options, segments, clock)
+    shown = Clock(len(order), fps, options.loop != "once")
+    return _drawn(film, order, shown, WRITERS[ending], observe)
 
 
-def _film(segments: Segments, options: WriteOptions, count: int) -> Film:
-    """The film of `count` frames from each drawing to the next."""
+def _film(segments: Segments, options: WriteOptions, clock: Floats) -> Film:
+    """The film of frames at moments (F,) of the way from each drawing to the next."""
     movements = segments.movements
     width, height = frame_size(movements[0].box, options.size)
     if width * height > MOST_PIXELS:
         most = MOST_PIXELS // 1_000_000
         raise OptionError(f"size {width}x{height}: expected at most {most} megapixels")
-    times = easing_function(options.easing)(even_times(count))
+    times = easing_function(options.easing)(clock)
     behind = None if options.background is None else plain_colour(options.background)
     return Film.of(movements, times, size=(width, height), background=behind)
 
 
-def _order(steps: int, held: int, options: WriteOptions, segments: Segments) -> list[int]:
+def _order(
+    steps: Sequence[int], held: int, options: WriteOptions, segments: Segments, clock: Floats
+) -> list[int]:
     """Frames in the order they are shown in, by the plan that every player has, in frames.
 
     A way of n frames has both ends among them. Where the last drawing is not the first one to come
@@ -90,10 +97,13 @@ def _order(steps: int, held: int, options: WriteOptions, segments: Segments) -> 
     loop = "repeat" if options.loop == "once" else options.loop
     cyclic = loop == "alternate" or (options.loop == "repeat" and segments.closed)
     closed = cyclic and segments.closed
-    ways = (float(steps),) * len(segments.movements)
-    plan = Timeline(ways, loop, float(held), closed)
+    plan = Timeline(tuple(map(float, steps)), loop, float(held), closed)
     shown = (plan.shown(float(k)) for k in range(round(plan.seconds) + (not cyclic)))
-    return [leg * steps + round(clock * steps) for leg, clock in shown]
+    found = []
+    for leg, share in shown:
+        place = round(share * steps[leg]) / steps[leg]
+        found.append(leg * (len(clock) - 1) + int(np.abs(clock - place).argmin()))
+    return found
 
 
 def _drawn(

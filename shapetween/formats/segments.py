@@ -32,3 +32,7 @@ class Segments:
     name: str = "morph"
     warnings: tuple[str, ...] = ()
     ways: tuple[float, ...] = ()
+
+    def lengths(self, duration: float) -> tuple[float, ...]:
+        """Seconds of the way through each segment, where the options say that one takes so many."""
+        return self.ways or (duration,) * len(self.movements)

@@ -21,7 +21,7 @@ def animated(segments: Segments, options: WriteOptions, observe: Observer = unob
     del observe
     text = smil_svg(
         *segments.movements,
-        duration=segments.ways or options.duration,
+        duration=segments.lengths(options.duration),
         easing=options.easing,
         loop=options.loop,
         hold=options.hold,

@@ -147,7 +147,7 @@ _GROUPS = FEATURES[4:8]
 _PAGE = (*_OWN, *_GROUPS, FEATURES[8])
 _FLAT = (*_OWN, *_GROUPS, FEATURES[9])
 
-_PACE = ("duration", "easing", "stagger", "stagger_by", "hold")
+_PACE = ("duration", "easing", "easing_over", "stagger", "stagger_by", "hold")
 _TIMING = (*_PACE, "loop")
 _FILM = (*_TIMING, "fps", "size", "background")
 
@@ -155,7 +155,7 @@ _FILM = (*_TIMING, "fps", "size", "background")
 def _writers() -> Iterator[Writer]:
     """Every format, in the order in which they are told of."""
     svg = "shapetween.formats.svg:animated"
-    options = (*_TIMING, "easing_over", "keyframes", "precision", "start")
+    options = (*_TIMING, "keyframes", "precision", "start")
     yield Writer(".svg", "an animated SVG", svg, options, keeps=_PAGE)
     for ending in (".webp", ".png", ".apng", ".gif", ".mp4"):
         home = f"shapetween.formats.pictures:{ending.removeprefix('.')}"

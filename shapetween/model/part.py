@@ -14,10 +14,22 @@ from shapetween.model.blend import blend
 from shapetween.model.paint import Style
 from shapetween.model.whole import WholeMotion
 
-__all__ = ["Area", "BlendedPaint", "Change", "CurveTrack", "Leaf", "PaintTrack", "Part"]
+__all__ = [
+    "Area",
+    "BlendedPaint",
+    "Change",
+    "CurveTrack",
+    "Leaf",
+    "PaintTrack",
+    "Part",
+    "shown_while",
+]
 
 #: First and last time at which a movement answers: one way past either end.
 BEYOND = (-1.0, 2.0)
+
+#: Halvings that tell when a part that is hidden at one end is first or last seen: to a millionth.
+HALVINGS = 20
 
 
 class CurveTrack(Protocol):
@@ -179,3 +191,28 @@ class Part:
 
     def _between(self, t: Floats) -> Curves:
         return np.concatenate([track.curves(t) for track in self.tracks], axis=1)
+
+
+def shown_while(part: Part) -> tuple[float, float]:
+    """From when until when anything is seen of a part that is transparent at an end or at neither.
+
+    Where it goes before and after need not be told.
+    """
+    low, high = (_turn(part, end) for end in (0.0, 1.0))
+    return (low, high) if low < high else (0.0, 1.0)
+
+
+def _turn(part: Part, end: float) -> float:
+    """The time next to an end at which a part that is transparent there is not."""
+    if part.style(end).opacity > 0:
+        return end
+    hidden, seen = end, 1 - end
+    if part.style(seen).opacity <= 0:
+        return end
+    for _ in range(HALVINGS):
+        middle = (hidden + seen) / 2
+        if part.style(middle).opacity > 0:
+            seen = middle
+        else:
+            hidden = middle
+    return seen

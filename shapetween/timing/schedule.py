@@ -4,19 +4,25 @@ Between keyframes a player moves straight; but it can be told to ease on the way
 whole does. So keyframes are needed only where the movement is not straight in its own time.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.geometry.bezier import sub_curves
 from shapetween.timing.easing import LINEAR, bezier_share, even_times, handles_of
+from shapetween.timing.windows import EXACTLY, Eased, eased_shares
 
 __all__ = ["SAMPLE_STEPS", "Schedule"]
 
 #: Steps on which keyframes may lie. Fewer miss quick turns between two of them; more cost time.
 #: 120 has the halves, thirds, quarters, fifths and sixths of a chain of movements.
 SAMPLE_STEPS = 120
+
+#: Samples between two corners at least: with fewer, what is quick is overlooked.
+BETWEEN = 8
 
 #: Shares of the first and the last step at which it is looked at besides, where that is asked for:
 #: an easing that sets off or arrives like a root goes a tenth of a step in a hundredth of its time.
@@ -60,6 +66,10 @@ class Schedule:
         clock = np.maximum.accumulate(np.clip(bezier_share(s, x1, x2), 0.0, 1.0))
         return cls(clock, np.clip(bezier_share(s, y1, y2), 0.0, 1.0), handles)
 
+    def time_at(self, clock: Floats) -> Floats:
+        """The movement's time when the player's clock shows any (M,), from 0 to 1."""
+        return eased_shares(Eased(self.handles), clock, EXACTLY)
+
     def finer(self) -> tuple["Schedule", Index]:
         """More samples near both ends, where an easing may be as steep as it likes.
 
@@ -71,6 +81,19 @@ class Schedule:
         s = np.concatenate([[0.0], near, inner, 1 - near[::-1], [1.0]])
         kept = np.concatenate([[0], len(near) + np.arange(1, steps), [len(s) - 1]])
         return self._at(s, self.handles), kept
+
+    def with_corners(self, corners: Sequence[float]) -> tuple["Schedule", Index]:
+        """More samples, at some moments of the clock and between those that are close.
+
+        And which of them are the samples of this schedule.
+        """
+        ends = sorted({0.0, *corners, 1.0})
+        more = [np.linspace(a, b, BETWEEN + 2) for a, b in pairwise(ends)]
+        clock = np.unique(np.concatenate([self.clock, *more]))
+        schedule = Schedule(clock, self.time_at(clock), self.handles)
+        kept = np.searchsorted(clock, self.clock)
+        schedule.time[kept] = self.time
+        return schedule, kept
 
     def strided(self, stride: int) -> "Schedule":
         """Every so manieth sample."""

@@ -17,14 +17,18 @@ rounded to a grid one easing after another, each making up for the rounding of t
 .. [Bab86] L. Babai, "On Lovász' lattice reduction and the nearest lattice point problem", 1986.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shapetween.base.arrays import Floats
-from shapetween.timing.windows import Eased, eased_shares, library, turning_times
+from shapetween.timing.pursuit import ALIKE, TIE, Pursuit, differences
+from shapetween.timing.ramps import together
+from shapetween.timing.windows import Eased, eased_shares, library
 
 __all__ = ["EasingSum", "Grid", "sum_of_easings"]
 
@@ -41,23 +45,31 @@ END_WEIGHT = 100.0
 #: a sum is is looked at at all of them. With fewer, what moves quickly is overlooked.
 PURSUED = 2
 
-#: Share of a movement's extent below which what is left of it is rounding, and no longer fitted.
-NOISE = 1e-6
+#: Of no more samples all take part.
+FEW = 60
+
+#: How late a point may be, a share of the whole time, and from which speed on, in tolerances a
+#: whole time: as if it ran through most of the picture. What is drawn out runs through several;
+#: larger, and it lags visibly; smaller, and it takes keyframes.
+LATE, FAST = 1 / 2000, 4000.0
 
 #: How many times the error allowed the pursuit may be off before exchanges are tried to bring it
 #: down. Larger saves a term at times and takes several times as long.
 NEARLY = 10
 
-#: With so few easings over windows no others are sought.
+#: With so few easings no others are sought.
 AT_ONCE = 3
 
-#: A movement that after so many easings is off by so many times the error allowed jumps somewhere,
-#: and no sum comes near it. Sooner or less, and sums that would do are given up.
-SOON, HOPELESS = 6, 20.0
+#: Share of the error allowed by which a point may be off at a corner that it passes evenly.
+EVENLY = 0.25
 
-#: What a point that is where it should be counts, where the one farthest off counts 1. At 1 a few
-#: points that move otherwise than the rest are never reached; at 0 the rest is lost again.
-EVEN = 0.2
+#: Most corners between any two of which windows are tried. With more it takes seconds.
+TOGETHER = 6
+
+#: A movement that after so many easings, and one for each corner, is off by so many times the error
+#: allowed jumps somewhere, and no sum comes near it. Sooner or less, and sums that would do are
+#: given up.
+SOON, HOPELESS = 6, 20.0
 
 #: Steps of the coarsest grid that displacements other than the first are tried on, a power of ten:
 #: each digit that is not written saves a fifth of the file.
@@ -65,15 +77,6 @@ COARSEST = 100
 
 #: Steps by which rounding may add to the error allowed: what rounding the places themselves does.
 ROUNDING = 0.5
-
-#: Share of what the best easing explains by which others that explain less are as good. Smaller,
-#: and rounding, which late in a pursuit is a billionth of it, chooses among the many that
-#: are nearly alike, otherwise on other processors; larger takes more easings.
-ALIKE = 1e-5
-
-#: The same of the first easing, and the share of a step by which rounding keeps off ties. Larger,
-#: and the one easing that a movement is is not found; smaller, and last bits decide.
-TIE = 1e-7
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,6 +108,9 @@ def sum_of_easings(
     tolerance: float,
     importance: Floats,
     most: Callable[[], int] = lambda: MOST_TERMS,
+    turns: tuple[float, ...] = (),
+    *,
+    late: bool = False,
 ) -> EasingSum | None:
     """The shortest sum found that stays near a movement.
 
@@ -122,6 +128,10 @@ def sum_of_easings(
         What each point's distance counts.
     most : callable
         Says how many easings are of use, at least one. Asked only where one is not enough.
+    turns : tuple of float
+        Times among the clock's at which the movement turns a corner, the sharpest first.
+    late : bool
+        Whether what is quick may be late, as what comes or goes.
 
     Returns
     -------
@@ -132,41 +142,56 @@ def sum_of_easings(
     if not np.abs(moved).max(initial=0.0):
         return None
     whole = (np.rint(points[-1] / step) - np.rint(points[0] / step)).astype(np.int64).reshape(-1)
-    task = _Task(moved, whole, clock, step, tolerance, importance)
-    turns = turning_times(points, clock, tolerance)
-    best = task.solved(turns, most) if turns else None
-    if best is not None and len(best.easings) <= AT_ONCE:
-        return best
-    # Windows that are none mislead the pursuit.
-    fewest = MOST_TERMS if best is None else len(best.easings)
-    return task.solved((), lambda: min(most(), fewest)) or best
+    quick = _slack(points, clock, tolerance) if late else np.ones(points.shape[:2])
+    counts = importance * quick
+    task = _Task(points[0].reshape(-1), moved, whole, clock, step, tolerance, counts)
+    best: EasingSum | None = None
+
+    def fewer() -> int:
+        return most() if best is None else min(most(), len(best.easings) - 1)
+
+    # Windows that are none lead the pursuit astray, so it is tried without any too.
+    tries = ((True, turns), (False, turns)) if 0 < len(turns) <= TOGETHER else ((True, ()),)
+    for own, some in (*tries, (False, ())):
+        best = task.solved(some, fewer, own=own) or best
+        if best is not None and len(best.easings) <= AT_ONCE:
+            return best
+    found = task.in_turn(sorted(turns), most()) if turns else None
+    return best if found is None or (best and len(found.easings) >= len(best.easings)) else found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Task:
-    """Displacements (S, 2 K) at samples of a clock, the last of them in steps, and what is near."""
+    """Places (2 K) and displacements (S, 2 K) at samples of a clock, the last of them in steps.
 
+    What the distance of a point from its place counts is told for each sample, (S, K).
+    """
+
+    start: Floats
     moved: Floats
     whole: Grid
     clock: Floats
     step: float
     tolerance: float
-    importance: Floats
+    counts: Floats
 
-    def solved(self, turns: tuple[float, ...], most: Callable[[], int]) -> EasingSum | None:
+    def solved(
+        self, turns: tuple[float, ...], most: Callable[[], int], *, own: bool
+    ) -> EasingSum | None:
         """The shortest sum found with windows between some times; None if none is near enough."""
         count = len(self.moved)
-        choices, shares = library(self.clock, turns)
+        choices, shares = library(self.clock, turns, own=own)
         weights = np.ones(count)
         weights[-1] = END_WEIGHT
-        rows = np.unique(np.append(np.arange(0, count, PURSUED), count - 1))
-        pursuit = _Pursuit((shares * weights[:, None])[rows], (self.moved * weights[:, None])[rows])
+        stride = PURSUED if count > FEW else 1
+        rows = np.unique(np.append(np.arange(0, count, stride), count - 1))
+        pursuit = Pursuit((shares * weights[:, None])[rows], (self.moved * weights[:, None])[rows])
         for terms in range(1, min(MOST_TERMS, count - 1) + 1):
             if terms > 1 and terms > most():
                 return None
             pursuit.add()
             off = self._off(shares[:, pursuit.chosen])
-            if len(pursuit.chosen) > SOON and off.max() > HOPELESS * self.tolerance:
+            if len(pursuit.chosen) > SOON + len(turns) and off.max() > HOPELESS * self.tolerance:
                 return None
             if self.tolerance < off.max() <= NEARLY * self.tolerance:
                 pursuit.emphasise(off)
@@ -180,125 +205,87 @@ class _Task:
                     return EasingSum(tuple(choices[k] for k in chosen), rounded)
         return None
 
+    def in_turn(self, turns: Sequence[float], most: int) -> EasingSum | None:
+        """A sum for each window between corners, one after another; None if some takes too many."""
+        easings: list[Eased] = []
+        terms: list[Grid] = []
+        ends = np.searchsorted(self.clock, [0.0, *turns, 1.0])
+        for first, last in pairwise(ends.tolist()):
+            rows = slice(first, last + 1)
+            start, end = float(self.clock[first]), float(self.clock[last])
+            # Whole steps from the corner before, which is where it is rounded to.
+            there = [np.rint((self.start + self.moved[k]) / self.step) for k in (first, last)]
+            whole = (there[1] - there[0]).astype(np.int64)
+            moved = self.moved[rows] - (there[0] * self.step - self.start)
+            if not whole.any() and not (abs(moved) > self.tolerance).any():
+                continue
+            part = replace(
+                self,
+                start=there[0] * self.step,
+                moved=moved,
+                whole=whole,
+                clock=(self.clock[rows] - start) / (end - start),
+                counts=self.counts[rows],
+            )
+            if len(easings) == most:
+                return None
+            left = partial(int, most - len(easings))
+            found = part.solved((), left, own=True) or part.solved((), left, own=False)
+            if found is None:
+                return None
+            easings += [Eased(easing.handles, (start, end)) for easing in found.easings]
+            terms.append(found.terms)
+        if not easings:
+            return None
+        allowed = max(EVENLY * self.tolerance / self.step, 1.0)
+        return EasingSum(*together(easings, np.concatenate(terms), allowed))
+
     def _off(self, easings: Floats) -> Floats:
         """How far each point is off at its worst, (K,), where the best sum of easings is."""
         left = self.moved - easings[:, :1] * (self.whole * self.step)
         if easings.shape[1] > 1:
-            axes = np.linalg.qr(_basis(easings))[0]
+            axes = np.linalg.qr(differences(easings))[0]
             left -= axes @ (axes.T @ left)
-        return np.asarray(_longest(left) * self.importance)
+        return _longest(left, self.counts)
 
     def _rounded(self, easings: Floats) -> Grid | None:
         """Displacements (M, K, 2), on as coarse grids as are near enough; None if none is."""
         allowed = self.tolerance / self.step + ROUNDING
-        terms = _coarsely_rounded(
-            easings, self.moved / self.step, self.whole, allowed, self.importance
-        )
+        terms = _coarsely_rounded(easings, self.moved / self.step, self.whole, allowed, self.counts)
         return None if terms is None else terms.reshape(len(terms), -1, 2)
 
 
-def _compressed(values: Floats) -> Floats:
-    """Fewer columns with the same products among rows, (S, D) to (S, R).
-
-    By reflections, as products of the values keep but half of their digits, and what is left of a
-    movement late in the pursuit is less than that.
-    """
-    if values.shape[1] > len(values):
-        values = np.asarray(np.linalg.qr(values.T, mode="r")).T
-    axes, sizes, _ = np.linalg.svd(values, full_matrices=False)
-    kept = sizes > NOISE * sizes[0]
-    return np.asarray(axes[:, kept] * sizes[kept])
+def _slack(points: Floats, clock: Floats, tolerance: float) -> Floats:
+    """What distances of points (S, K, 2) count, (S, K): less where they are fast, being late."""
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=-1) / np.diff(clock)[:, None]
+    before, after = (np.concatenate(side) for side in ((steps[:1], steps), (steps, steps[-1:])))
+    speed = np.minimum(before, after)
+    return np.asarray(1 / (1 + LATE * np.maximum(speed / tolerance - FAST, 0.0)))
 
 
-class _Pursuit:
-    """Columns of a library chosen one by one so that least of some values is left over."""
-
-    def __init__(self, library: Floats, values: Floats) -> None:
-        self._library, self._moved = library, values
-        self._sizes = (library**2).sum(axis=0)
-        self._values = _compressed(values)
-        self.chosen: list[int] = []
-
-    def emphasise(self, worst: Floats) -> None:
-        """Let points count by how far they are off: it is the farthest that decides."""
-        peak = worst.max()
-        if peak > 0:
-            emphasis = np.repeat(np.maximum(worst / peak, EVEN), 2)
-            self._values = _compressed(self._moved * emphasis)
-
-    def add(self) -> None:
-        """Choose the column that leaves least."""
-        self.chosen.append(self._best(self.chosen)[0])
-
-    def exchange(self) -> bool:
-        """Choose each column anew with the others given, twice; whether anything changed."""
-        before = list(self.chosen)
-        for _ in range(2):
-            for place in range(len(self.chosen)):
-                others = self.chosen[:place] + self.chosen[place + 1 :]
-                best, gain = self._best(others)
-                if gain > self._gain(others, self.chosen[place]) * (1 + _alike(others)):
-                    self.chosen[place] = best
-        return before != self.chosen
-
-    def _gains(self, others: list[int]) -> Floats:
-        """How much more each column explains where some are given."""
-        size, values = self._sizes, self._values
-        library = self._library
-        if others:
-            # Differences first: the ends, which weigh most, drop out of them exactly, and leave
-            # rounding no way into the little that tells easings apart.
-            given = library[:, others]
-            basis = np.linalg.qr(np.column_stack([_basis(given), given[:, 0]]))[0]
-            library = library - given[:, :1]
-            library -= basis @ (basis.T @ library)
-            # Lengths of what is left: a difference of squares keeps but half of their digits.
-            size = (library**2).sum(axis=0)
-            values = values - basis @ (basis.T @ values)
-        known = size > 1e-9 * self._sizes
-        gains = ((library.T @ values) ** 2).sum(axis=1)
-        return np.asarray(gains * known / np.where(known, size, 1.0))
-
-    def _best(self, others: list[int]) -> tuple[int, float]:
-        gains = self._gains(others)
-        # Of those that are as good, the first, whatever the rounding.
-        best = int((gains >= gains.max() * (1 - _alike(others))).argmax())
-        return best, float(gains[best])
-
-    def _gain(self, others: list[int], column: int) -> float:
-        return float(self._gains(others)[column])
-
-
-def _alike(others: list[int]) -> float:
-    """Share by which columns may differ that are as good: alone, nearly all meets the end."""
-    return ALIKE if others else TIE
-
-
-def _basis(easings: Floats) -> Floats:
-    """Differences to the first easing: what the others add to it, 0 at both ends."""
-    return easings[:, 1:] - easings[:, :1]
-
-
-def _longest(values: Floats) -> Floats:
+def _longest(values: Floats, counts: Floats) -> Floats:
     """Greatest lengths in each column of vectors whose coordinates follow each other.
 
-    (S, 2 K) to (K,).
+    (S, 2 K) to (K,), each length of (S, K) counted as it is said.
     """
     squares = values * values
-    return np.asarray(np.sqrt((squares[:, ::2] + squares[:, 1::2]).max(axis=0)))
+    lengths = np.sqrt(squares[:, ::2] + squares[:, 1::2])
+    return np.asarray((lengths * counts).max(axis=0))
 
 
 def _coarsely_rounded(
-    easings: Floats, moved: Floats, whole: Grid, tolerance: float, importance: Floats
+    easings: Floats, moved: Floats, whole: Grid, tolerance: float, counts: Floats
 ) -> Grid | None:
     """Displacements (M, D), on as coarse grids as are near enough; None if none is."""
-    q, r = np.linalg.qr(_basis(easings))
+    q, r = np.linalg.qr(differences(easings))
     target = q.T @ (moved - easings[:, :1] * whole)
     seen = abs(np.diag(r))
+    if seen.min(initial=1.0) <= ALIKE * seen.max(initial=1.0):  # two easings are one at the samples
+        return None
     grids = np.full(len(r), COARSEST)
     while True:
         terms = _rounded(r, target, whole, grids)
-        if (_longest(easings @ terms - moved) * importance).max() <= tolerance:
+        if _longest(easings @ terms - moved, counts).max() <= tolerance:
             return terms
         if (grids == 1).all():
             return None

@@ -4,7 +4,7 @@ What comes or goes moves in a part of the time, and is still for the rest; what 
 meanwhile turns a corner there. Easings that know those times need no others to undo them.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
@@ -13,9 +13,9 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Floats
-from shapetween.timing.easing import bezier_share
+from shapetween.timing.easing import LINEAR, bezier_share
 
-__all__ = ["Eased", "eased_shares", "library", "turning_times"]
+__all__ = ["EXACTLY", "Eased", "eased_shares", "library", "turning_times"]
 
 Handles: TypeAlias = tuple[float, float, float, float]
 
@@ -24,41 +24,56 @@ Handles: TypeAlias = tuple[float, float, float, float]
 HANDLES_X = (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)
 HANDLES_Y = (0.0, 0.5, 1.0)
 
-#: What parts do that come and go: set off and arrive without a jerk, or go as a power of time. Over
-#: a window these are there besides all others, however like one they are, for alone they take no
-#: further ones.
+#: What parts do that come and go: set off and arrive without a jerk, or go as a power of time, its
+#: third, second or 2.4th, which is met to 2e-4. Over a window these are there besides all others,
+#: however like one they are, for alone they take no further ones.
 OWN = (
     (1 / 3, 0.0, 2 / 3, 1.0),
     (1 / 3, 0.0, 2 / 3, 0.0),
     (1 / 3, 1.0, 2 / 3, 1.0),
     (1 / 3, 0.0, 2 / 3, 1 / 3),
     (1 / 3, 2 / 3, 2 / 3, 1.0),
+    (0.2525, 0.0, 0.6056, 0.0522),
+    (0.3944, 0.9478, 0.7475, 1.0),
 )
 
 #: Easings that are nowhere farther apart than this are one: telling them apart needs displacements
 #: so large that rounding them shows.
 APART = 0.02
 
-#: Halvings that solve an easing for its parameter: to a millionth of a share.
-HALVINGS = 24
+#: Halvings that solve an easing for its parameter, to a millionth of a share; and where places are
+#: looked at so closely that they must not shake.
+HALVINGS, EXACTLY = 24, 54
 
-#: Times within a movement at which it may turn a corner that are taken for windows' ends. More cost
-#: time for each pair of them, and windows that are half right help little.
-MOST_TURNS = 2
+#: Times within a movement at which it may turn a corner that are taken for windows' ends, the most
+#: and those between which there are all easings, not just straight ones and `OWN`. More cost time
+#: for each pair of them; with fewer, what goes piece by piece takes keyframes.
+MOST_TURNS, OFTEN = 32, 2
 
-#: By how much the acceleration changes at a corner, beside the greatest change there is. Smaller
-#: and bends are taken for corners.
-SHARP = 0.3
+#: By how much the acceleration changes at a corner, beside the greatest change there is, and where
+#: corners are looked at closer. Smaller and bends are taken for corners.
+SHARP, LOOKED = 0.3, 0.05
 
 #: The least leap beside the tolerance: what comes or goes over so many tolerances' way is given a
 #: window. Larger and short ways do without; smaller and bends are taken for corners.
 OVERLOOKED = 16
 
-#: Samples between corners at least.
-ASUNDER = 4
+#: Samples between corners at least. Fewer, and one corner is taken for two.
+ASUNDER = 2
 
-#: Decimals of a window's ends, shares of the whole.
-DECIMALS = 4
+#: How many times smaller the steps are by which corners are looked at closer, and the share of what
+#: it was from afar by which a corner is one still: between that step and its square.
+NEARER, BEND = 8, 1 / 24
+
+#: Share by which leaps may differ and be as good.
+NEAR = 1e-6
+
+#: Decimals of a window's ends, shares of the whole: what is fast goes a tenth of a pixel meanwhile.
+DECIMALS = 5
+
+#: How a corner between samples is found: places looked at, and how often those next to the sharpest
+#: are looked at closer, until it is known to its decimals.
+CLOSER, ROUNDS = 9, 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,12 +87,17 @@ class Eased:
     window: tuple[float, float] = (0.0, 1.0)
 
 
-def eased_shares(easing: Eased, clock: Floats) -> Floats:
+def eased_shares(easing: Eased, clock: Floats, halvings: int = HALVINGS) -> Floats:
     """What an easing is at some times (S,)."""
-    return np.asarray(_shares((easing.handles,), easing.window, clock)[:, 0])
+    return np.asarray(_shares((easing.handles,), easing.window, clock, halvings)[:, 0])
 
 
-def _shares(handles: Sequence[Handles], window: tuple[float, float], clock: Floats) -> Floats:
+def _shares(
+    handles: Sequence[Handles],
+    window: tuple[float, float],
+    clock: Floats,
+    halvings: int = HALVINGS,
+) -> Floats:
     """What easings over a window are at some times (S,), (S, L)."""
     start, end = window
     times = np.clip((clock - start) / (end - start), 0.0, 1.0)[:, None]
@@ -86,7 +106,7 @@ def _shares(handles: Sequence[Handles], window: tuple[float, float], clock: Floa
     abscissae, which = np.unique(np.array([x1, x2]), axis=1, return_inverse=True)
     x1, x2 = abscissae
     low, high = np.zeros((len(clock), len(x1))), np.ones((len(clock), len(x1)))
-    for _ in range(HALVINGS):
+    for _ in range(halvings):
         middle = (low + high) / 2
         before = bezier_share(middle, x1, x2) < times
         low, high = np.where(before, middle, low), np.where(before, high, middle)
@@ -94,21 +114,38 @@ def _shares(handles: Sequence[Handles], window: tuple[float, float], clock: Floa
     return np.asarray(np.where(times <= 0, 0.0, np.where(times >= 1, 1.0, share)))
 
 
-def library(clock: Floats, turns: tuple[float, ...]) -> tuple[tuple[Eased, ...], Floats]:
-    """All easings over all windows between some times, and what they are at others (S,), (S, L)."""
-    ends = (0.0, *turns, 1.0)
+def library(
+    clock: Floats, turns: tuple[float, ...], *, own: bool = False
+) -> tuple[tuple[Eased, ...], Floats]:
+    """Easings over all windows between some times, and what they are at others (S,), (S, L).
+
+    Of the `own` ones only straight ones and `OWN`.
+    """
+    ends = sorted((0.0, *turns, 1.0))
     windows = [(a, b) for a, b in product(ends, ends) if a < b]
     windows.sort(key=lambda window: window[0] - window[1])
-    tables = [_table(clock.tobytes(), window) for window in windows]
+    often: set[float] = set() if own else {0.0, *turns[:OFTEN], 1.0}
+    tables = [_table(clock.tobytes(), window, often.issuperset(window)) for window in windows]
     choices = tuple(choice for table in tables for choice in table[0])
     return choices, np.concatenate([table[1] for table in tables], axis=1)
 
 
-def turning_times(points: Floats, clock: Floats, tolerance: float) -> tuple[float, ...]:
-    """When points (S, K, 2) at times (S,) set off, stop or turn a corner, few at most.
+def turning_times(
+    points: Floats,
+    clock: Floats,
+    tolerance: float,
+    look: Callable[[Floats], Floats] | None = None,
+) -> tuple[float, ...]:
+    """When points (S, K, 2) at times (S,) set off, stop or turn a corner, the sharpest first.
 
     A corner is where the acceleration leaps, or the speed: more than it does on either side, and by
     more than can be overlooked.
+
+    Parameters
+    ----------
+    points, clock, tolerance
+    look : callable, optional
+        Where points are at any times (M,), (M, P, 2), to find out when between two samples it is.
     """
     gaps = np.diff(clock)
     even = gaps.max(initial=0.0)
@@ -117,24 +154,87 @@ def turning_times(points: Floats, clock: Floats, tolerance: float) -> tuple[floa
     times, places = clock[inner], points[inner]
     if len(times) < 2 * ASUNDER + 1:
         return ()
-    steps = np.diff(times)[:, None, None]
-    speeds = np.diff(places, axis=0) / steps
-    middles = (times[1:] + times[:-1]) / 2
-    accelerations = np.diff(speeds, axis=0) / np.diff(middles)[:, None, None]
-    # What is before a sample and after it, where the acceleration leaps; and where the speed does,
-    # what it is there beside both.
-    before, here, after = accelerations[:-2], accelerations[1:-1], accelerations[2:]
-    leaps = np.maximum(_longest(after - before), _longest(2 * here - before - after)) * even**2
-    at = times[2:-2]
+    leaps, bends = (seen * even**2 for seen in _leaps(times, places))
+    sharp = SHARP if look is None else LOOKED
+    enough = max(sharp * float(leaps.max(initial=0.0)), tolerance / OVERLOOKED)
+    found = _corners(times, leaps, bends, enough)
+    if look is not None and found:
+        at = times[2:-2]
+        sharpness = [float(leaps[int(np.abs(at - time).argmin())]) for time in found]
+        found = _closer(found, sharpness, even, tolerance, look)
+    return tuple(round(time, DECIMALS) for time in found[:MOST_TURNS])
+
+
+def _corners(times: Floats, leaps: Floats, bends: Floats, enough: float) -> list[float]:
+    """Where leaps are great enough at times but two at either end, some samples from each other."""
+    at, even = times[2:-2], float(np.diff(times).max())
     found: list[float] = []
-    enough = max(SHARP * float(leaps.max(initial=0.0)), tolerance / OVERLOOKED)
-    # The greatest first; of those alike the first.
-    for k in np.argsort(-np.round(leaps / enough, 6), kind="stable").tolist():
+    # The greatest first; of those alike where it bends most, and then the first.
+    keys = (np.round(leaps / enough, 3), np.round(bends / enough, 3))
+    for k in np.lexsort((-keys[1], -keys[0])).tolist():
         if leaps[k] < enough or len(found) == MOST_TURNS:
             break
-        if all(abs(at[k] - other) >= ASUNDER * even for other in found):
+        if all(abs(at[k] - other) >= (ASUNDER + 0.5) * even for other in found):
             found.append(float(at[k]))
-    return tuple(sorted(round(time, DECIMALS) for time in found))
+    return found
+
+
+def _closer(
+    times: Sequence[float],
+    sharpness: Sequence[float],
+    width: float,
+    tolerance: float,
+    look: Callable[[Floats], Floats],
+) -> list[float]:
+    """When corners are that lie within a width of some times, each maybe two close together.
+
+    Seen from nearer a corner of the speed is as sharp, and one of the acceleration as much less as
+    the steps are smaller; a bend is by the square of that, and none.
+    """
+    step = width / NEARER
+    looked = np.array(times)[:, None] + width * np.linspace(-1.5, 1.5, 3 * NEARER + 1)
+    looked = np.clip(looked, 0.0, 1.0)
+    places = look(looked.ravel()).reshape(*looked.shape, -1, 2)
+    found: list[float] = []
+    for own, there, sharp in zip(looked, places, sharpness, strict=True):
+        own, first = np.unique(own, return_index=True)
+        if len(own) <= NEARER:
+            continue
+        leaps, bends = (seen * step * width for seen in _leaps(own, there[first]))
+        enough = max(BEND * sharp, tolerance / OVERLOOKED / NEARER / 2)
+        near = _corners(own, leaps, bends, enough)
+        found += [t for t in near if all(abs(t - other) > 2 * step for other in found)]
+    return _exactly(np.array(found), step, look) if found else []
+
+
+def _exactly(times: Floats, width: float, look: Callable[[Floats], Floats]) -> list[float]:
+    """When corners near some times (T,) are, each within a width of its own."""
+    around = np.linspace(-1.0, 1.0, CLOSER)
+    for _ in range(ROUNDS):
+        looked = np.clip(times[:, None] + width * around, 0.0, 1.0)
+        places = look(looked.ravel()).reshape(len(times), CLOSER, -1, 2)
+        for k, own in enumerate(looked):
+            if own[0] < own[1] and own[-2] < own[-1]:
+                leaps, _ = _leaps(own, places[k])
+                # As good ones count as one, whose middle it is.
+                best = np.flatnonzero(leaps >= leaps.max() * (1 - NEAR))
+                times[k] = own[2:-2][best].mean()
+        width *= 1.5 / (CLOSER // 2)
+    return list(times.tolist())
+
+
+def _leaps(times: Floats, places: Floats) -> tuple[Floats, Floats]:
+    """How far the acceleration leaps at all times but two at either end, (S, K, 2) to (S - 4,).
+
+    What is before a sample and after it, where the acceleration leaps; and where the speed does,
+    what it is there beside both. And what the acceleration is.
+    """
+    speeds = np.diff(places, axis=0) / np.diff(times)[:, None, None]
+    middles = (times[1:] + times[:-1]) / 2
+    accelerations = np.diff(speeds, axis=0) / np.diff(middles)[:, None, None]
+    before, here, after = accelerations[:-2], accelerations[1:-1], accelerations[2:]
+    leaps = np.maximum(_longest(after - before), _longest(2 * here - before - after))
+    return leaps, _longest(here)
 
 
 def _longest(vectors: Floats) -> Floats:
@@ -142,11 +242,14 @@ def _longest(vectors: Floats) -> Floats:
     return np.asarray(np.sqrt((vectors**2).sum(-1)).max(axis=1))
 
 
-@lru_cache(maxsize=64)
-def _table(clock: bytes, window: tuple[float, float]) -> tuple[tuple[Eased, ...], Floats]:
-    """Easings over one window, and what they are at times."""
+@lru_cache(maxsize=256)
+def _table(
+    clock: bytes, window: tuple[float, float], every: bool
+) -> tuple[tuple[Eased, ...], Floats]:
+    """Easings over one window, all or few, and what they are at times."""
     times = np.frombuffer(clock, np.float64)
-    handles = _handles() if window == (0.0, 1.0) else (*_handles(), *OWN)
+    whole = window == (0.0, 1.0) and every
+    handles = (*(_handles() if every else (LINEAR,)), *(() if whole else OWN))
     choices = tuple(Eased(each, window) for each in handles)
     shares = _shares(handles, window, times)
     shares.setflags(write=False)
@@ -156,7 +259,7 @@ def _table(clock: bytes, window: tuple[float, float]) -> tuple[tuple[Eased, ...]
 @lru_cache(maxsize=1)
 def _handles() -> tuple[Handles, ...]:
     """Easings no two of which are alike."""
-    choices = [(1 / 3, 1 / 3, 2 / 3, 2 / 3)]
+    choices = [LINEAR]
     choices += [
         (x1, y1, x2, y2)
         for x1, y1, x2, y2 in product(HANDLES_X, HANDLES_Y, HANDLES_X, HANDLES_Y)

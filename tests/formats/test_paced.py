@@ -1,9 +1,14 @@
 """Paces of their own: springs, overshoot, parts one after another, one easing over a chain."""
 
+import json
+import re
 from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import shapetween as st
 from shapetween.base.errors import OptionError
@@ -11,9 +16,13 @@ from shapetween.formats.options import WriteOptions
 from shapetween.formats.paced import paced
 from shapetween.formats.segments import Segments
 from shapetween.model.drawing import Drawing
+from shapetween.svg.read.reader import read_svg
 from shapetween.timing.easing import easing_function
+from tests.browser import chromium
 from tests.drawings import area, drawing, square
+from tests.formats.test_android import at
 from tests.movements import sample_chain, sample_movement
+from tests.players import module_pictures
 
 BACK = "cubic-bezier(.34,1.56,.64,1)"
 
@@ -119,3 +128,84 @@ def test_one_easing_over_a_chain() -> None:
             )
     with pytest.raises(OptionError, match="easing_over: changes nothing"):
         paced(Segments(legs[:1]), WriteOptions(easing_over="chain"))
+
+
+#: A leg as long as both others of a chain of three that takes three seconds, by its easing.
+LATE = "linear(0, .33333333 50%, .66666667 75%, 1)"
+
+
+@pytest.fixture(scope="module")
+def chain() -> st.Chain:
+    """A square that goes to the right, down, and back to the left."""
+    places = [(10, 10), (60, 10), (60, 60), (10, 60)]
+    return st.chain([drawing(area(square(x, y, 20))) for x, y in places])
+
+
+def wanted(seconds: float) -> tuple[float, float]:
+    """Where its corner is then."""
+    way = np.interp(seconds, [0, 1.5, 2.25, 3], [0, 1, 2, 3])
+    return float(np.interp(way, [0, 1, 2, 3], [10, 60, 60, 10])), float(
+        np.interp(way, [0, 1, 2, 3], [10, 10, 60, 60])
+    )
+
+
+KEYFRAME = r'([\d.]+)%{clip-path:path\(evenodd,"m([\d.]+) ([\d.]+)'
+ASKED: dict[str, Any] = {"duration": 1.0, "easing": LATE, "easing_over": "chain"}
+MOMENTS = (0.0, 0.6, 1.4, 1.7, 2.1, 2.5, 2.9)
+
+
+def test_one_easing_over_a_chain_in_lottie(chain: st.Chain) -> None:
+    layers = json.loads(chain.lottie(**ASKED))["layers"]
+    assert [round(layer["ip"]) for layer in layers] == [0, 90, 135]
+    assert [key["t"] for layer in layers for key in layer["tm"]["k"]] == pytest.approx(
+        [0, 90, 90, 135, 135, 180], abs=0.1
+    )
+    assert [key["s"][0] for layer in layers for key in layer["tm"]["k"]] == pytest.approx(
+        [0, 1.5, 0, 0.75, 0, 0.75], abs=0.01
+    )
+
+
+def test_one_easing_over_a_chain_in_css(chain: st.Chain) -> None:
+    text = chain.css(**ASKED)
+    assert " 3s linear both" in text
+    keys = {float(percent): (float(x), float(y)) for percent, x, y in re.findall(KEYFRAME, text)}
+    assert {50.0, 75.0} <= {round(key, 1) for key in keys}
+    for key, found in keys.items():
+        assert found == pytest.approx(wanted(3 * key / 100), abs=0.2)
+
+
+def test_one_easing_over_a_chain_in_android(chain: st.Chain) -> None:
+    for second in MOMENTS:
+        seen = read_svg(at(chain.vector_drawable(**ASKED), 1000 * second).encode(), "seen")
+        scale = 100 / seen.box.width
+        boxes = [shape.rings[0].box[0] * scale for shape in seen.shapes if shape.style.opacity > 0]
+        assert any(tuple(box) == pytest.approx(wanted(second), abs=0.3) for box in boxes)
+
+
+def test_one_easing_over_a_chain_in_pictures(chain: st.Chain, tmp_path: Path) -> None:
+    chain.write(tmp_path / "seen.png", fps=20, size=(100,), background="#fff", **ASKED)
+    with Image.open(tmp_path / "seen.png") as film:
+        assert getattr(film, "n_frames", 1) == pytest.approx(60, abs=3)
+        for second in MOMENTS:
+            film.seek(round(second / 3 * (film.n_frames - 1)))  # type: ignore[attr-defined]
+            dark = np.argwhere(np.asarray(film.convert("L")) < 100)
+            assert dark.min(axis=0)[::-1] == pytest.approx(wanted(second), abs=3)
+
+
+def test_a_module_knows_how_long_each_leg_of_a_chain_is(chain: st.Chain) -> None:
+    (ways,) = re.findall(r"const ways=(.*?);", chain.module(**ASKED))
+    assert json.loads(ways) == pytest.approx([1.5, 0.75, 0.75], abs=1e-3)
+    assert "ways" not in chain.module(duration=1.0)
+
+
+@pytest.mark.browser
+def test_one_easing_over_a_chain_is_played(chain: st.Chain) -> None:
+    options = {**ASKED, "hold": 0.5}
+    shown = [0.2, 1.1, 1.9, 2.3, 2.7, 3.4, 3.9, 4.4]
+    moved = [0.0, 0.6, 1.4, 1.5, 1.7, 2.25, 2.4, 2.9]
+    with chromium() as browser:
+        for text in (chain.module(**options),):
+            for shot, second in zip(module_pictures(browser, text, shown), moved, strict=True):
+                dark = np.argwhere(shot.mean(axis=-1) < 100)
+                corner = dark.min(axis=0)[::-1] * 100 / shot.shape[0]
+                assert corner == pytest.approx(wanted(second), abs=1.5)

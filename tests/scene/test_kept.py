@@ -11,6 +11,7 @@ from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.stretches import snapped
+from shapetween.scene.kept.strips import Strip
 from shapetween.scene.kept.wipes import Telescoped, Wiped
 from shapetween.svg.read.reader import read_svg
 from tests.drawings import ring, square
@@ -68,13 +69,14 @@ def test_a_slash_comes_along_its_length_and_the_body_stands_still(elements: str)
     for t, area in zip(T, found, strict=True):
         assert kept.difference(area).area < 0.01
         assert area.difference(BOX.union(SLASH)).area < 1e-2
-        # Before the tip there is no gap yet, behind it there is no more of it to come.
+        # Before the tip there is no gap yet, behind it there is no more of it to come; the end of
+        # each gap is as slanting as where it began, by its width at 45 degrees.
         tip = 12 - 4 / np.sqrt(2) + t * (76 + 8 / np.sqrt(2))
-        behind = shapely.Polygon([(0, 0), (2 * tip - 3, 0), (0, 2 * tip - 3)])
-        before = shapely.Polygon([(100, 100), (2 * tip - 97, 100), (100, 2 * tip - 97)])
+        behind = shapely.Polygon([(0, 0), (2 * tip - 13, 0), (0, 2 * tip - 13)])
+        before = shapely.Polygon([(100, 100), (2 * tip - 87, 100), (100, 2 * tip - 87)])
         whole = shapely.union(CROSSED, SLASH)
         assert off(area.intersection(behind), whole.intersection(behind)) < 0.05
-        if 2 * tip - 97 < 100:
+        if 2 * tip - 87 < 100:
             assert off(area.intersection(before), BOX.intersection(before)) < 0.05
 
 
@@ -232,6 +234,33 @@ def test_a_wipe_leaves_exactly_what_is_on_one_side_of_the_line(behind: bool) -> 
     np.testing.assert_array_equal(curves[:, :, 3], np.roll(curves[:, :, 0], -1, axis=1))
     gone = track.curves(np.array([0.0 if behind else 1.0]))
     np.testing.assert_array_equal(np.ptp(gone, axis=(1, 2)), 0)
+
+
+@pytest.mark.parametrize("behind", [False, True])
+@pytest.mark.parametrize("ends", [(10.0, 90.0), (90.0, 10.0)])
+def test_a_strip_is_shortened_along_the_bar_and_is_gone_at_last(
+    behind: bool, ends: tuple[float, float]
+) -> None:
+    """Its sides stay where they are, its far end does, and it moves evenly but for the last."""
+    strip = ring([(20, 0), (60, 0), (75, 12), (24, 12)])
+    track = Strip((strip,), np.array([1.0, 0.0]), ends, behind)
+    full = 1.0 if behind == (ends[0] < ends[1]) else 0.0
+    whole, gone = track.curves(np.array([full, 1 - full]))
+    np.testing.assert_allclose(whole, strip.curves, atol=1e-12)
+    assert np.ptp(gone, axis=(0, 1)).max() == 0
+    areas = []
+    for frame in track.curves(np.linspace(0, 1, 65)):
+        shape = shapely.Polygon(flatten(frame, 8))
+        assert shape.difference(shapely.Polygon(flatten(strip.curves, 8)).buffer(1e-6)).area < 1e-3
+        areas.append(shape.area)
+        if shape.area > 30:
+            low, high = frame[..., 1].min(), frame[..., 1].max()
+            assert (low, high) == pytest.approx((0, 12), abs=1e-6)
+            far = frame[..., 0].min() if behind else frame[..., 0].max()
+            assert far == pytest.approx(20 if behind else 75, abs=1e-6)
+    steps = np.diff(areas if full == 1.0 else areas[::-1])
+    assert (steps >= -1e-9).all()
+    assert np.median(steps[steps > 1]) == pytest.approx(steps.max(), rel=0.15)
 
 
 def test_what_slides_never_goes_below_its_foot() -> None:

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats
-from shapetween.timing.easing import easing_function
+from shapetween.timing.easing import LINEAR, easing_function
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings
 from shapetween.timing.windows import Eased, turning_times
@@ -27,7 +27,17 @@ def turning(angle: float, t: Floats, count: int = 40) -> Floats:
 
 def found(points: Floats, importance: Floats | None = None) -> EasingSum | None:
     weights = np.ones(points.shape[1]) if importance is None else importance
-    return sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights)
+    turns = turning_times(points, CLOCK, TOLERANCE)
+    return sum_of_easings(points, CLOCK, STEP, TOLERANCE, weights, turns=turns)
+
+
+def in_rows(t: Floats) -> Floats:
+    """Twelve points of which one after another is drawn out by 400, as a slash draws gaps."""
+    rows = []
+    for k in range(6):
+        share = np.clip((t - k / 7.1) / (1.6 / 7.1), 0.0, 1.0)[:, None, None]
+        rows.append(share * np.array([[400.0, 60.0 * k], [380.0, 10.0]]))
+    return np.concatenate(rows, axis=1)
 
 
 def shown(result: EasingSum, points: Floats, clock: Floats) -> Floats:
@@ -62,7 +72,7 @@ def test_a_straight_way_is_one_easing() -> None:
     points = np.array([[0.0, 0.0], [50.0, 10.0]]) + CLOCK[:, None, None] * np.array([300.0, 40.0])
     result = found(points)
     assert result is not None
-    assert result.easings == (Eased((1 / 3, 1 / 3, 2 / 3, 2 / 3)),)
+    assert result.easings == (Eased(LINEAR),)
     eased = easing_function("cubic-bezier(.4,0,.6,1)")(CLOCK)
     result = found(points[:1] + eased[:, None, None] * np.array([300.0, 40.0]))
     assert result is not None
@@ -75,13 +85,19 @@ def test_few_easings_do_where_a_third_of_a_turn_takes_dozens_of_keyframes() -> N
     assert len(result.easings) <= 6
 
 
-def test_what_jumps_or_shakes_is_no_sum() -> None:
-    points = turning(1.0, CLOCK)
-    points[CLOCK > 0.5, 3] += 40.0
-    assert found(points) is None
+def test_what_shakes_is_no_sum() -> None:
     shaken = turning(1.0, CLOCK)
     shaken[:, 5, 0] += 20 * np.sin(40 * CLOCK)
     assert found(shaken) is None
+
+
+def test_what_jumps_is_one_that_jumps() -> None:
+    points = turning(1.0, CLOCK)
+    points[CLOCK > 0.5, 3] += 40.0
+    result = found(points)
+    assert result is not None
+    away = shown(result, points, CLOCK) - points
+    assert np.linalg.norm(away, axis=-1).max() <= 2 * TOLERANCE + STEP
 
 
 def test_what_returns_to_where_it_was_is_a_sum_too() -> None:
@@ -135,6 +151,37 @@ def test_what_shrinks_to_a_sudden_stop_is_one_easing(power: int) -> None:
     result = found(later)
     assert result is not None
     assert len(result.easings) == 1
+
+
+def test_what_shrinks_as_parts_do_is_one_easing() -> None:
+    home = turning(0.0, CLOCK)[:1] * 0.6
+    result = found(home * (1 - CLOCK**2.4)[:, None, None])
+    assert result is not None
+    assert len(result.easings) == 1
+
+
+def test_corners_between_samples_are_found_by_looking_closer() -> None:
+    def places(t: Floats) -> Floats:
+        return in_rows(t) + np.clip((t - 0.4142) / 0.004, 0, 1)[:, None, None] * [30.0, 0.0]
+
+    close = turning_times(places(CLOCK), CLOCK, TOLERANCE, places)
+    wanted = [k / 7.1 for k in range(1, 6)] + [(k + 1.6) / 7.1 for k in range(5)]
+    for corner in [*wanted, 0.4142, 0.4182]:
+        assert min(abs(np.array(close) - corner)) < 2e-5
+    assert len(close) <= len(wanted) + 3
+
+
+def test_what_is_drawn_out_piece_by_piece_is_one_even_window_each() -> None:
+    turns = turning_times(in_rows(CLOCK), CLOCK, TOLERANCE, in_rows)
+    schedule, _ = SCHEDULE.with_corners(turns)
+    clock = schedule.clock
+    weights = np.ones(12)
+    result = sum_of_easings(in_rows(clock), clock, STEP, TOLERANCE, weights, turns=turns)
+    assert result is not None
+    assert len(result.easings) == 6
+    assert {easing.handles for easing in result.easings} == {LINEAR}
+    away = shown(result, in_rows(clock), EVERYWHERE) - in_rows(EVERYWHERE)
+    assert np.linalg.norm(away, axis=-1).max() <= TOLERANCE + STEP
 
 
 def test_smooth_movement_has_no_corners() -> None:

@@ -64,7 +64,7 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
     box = movements[0].box
     ends = [drawing for m in movements for drawing in m.at(np.array([0.0, 1.0]))]
     grid = grid_of(ends, options.precision)
-    ways = (options.duration,) * len(movements)
+    ways = segments.lengths(options.duration)
     plan = Timeline(ways, options.loop, options.hold, segments.closed)
     whole = plan.seconds * FRAMES_A_SECOND
     # Players show nothing at the very end; where it is not the start, one frame more shows it.
@@ -85,8 +85,10 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
         "layers": [],
         "markers": [*_markers(plan), {"cm": "reduced motion", "tm": 0, "dr": 1}],
     }
-    length = options.duration * FRAMES_A_SECOND
-    made = [leg_layers(movement, grid, options, length) for movement in movements]
+    made = [
+        leg_layers(movement, grid, options, way * FRAMES_A_SECOND)
+        for movement, way in zip(movements, ways, strict=True)
+    ]
     plain = len(movements) == 1 and options.loop == "once" and options.hold == 0
     if plain and handles_of(options.easing) == LINEAR:
         root["layers"] = made[0][0]
@@ -117,7 +119,7 @@ def _remapped(
 ) -> Json:
     """A layer that shows a leg on one of its ways."""
     x1, y1, x2, y2 = handles_of(options.easing)
-    values = (0.0, options.duration)
+    values = (0.0, iteration.end - iteration.start)
     if iteration.back:  # backwards a curve starts at its end, and both axes run the other way
         x1, y1, x2, y2 = 1 - x2, 1 - y2, 1 - x1, 1 - y1
         values = values[::-1]

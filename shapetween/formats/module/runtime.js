@@ -227,8 +227,14 @@ export function play(target, options = {}) {
     const now = animation.currentTime + "";
     if (now != last) {
       const passed = effect.getComputedTiming().progress * whole - before;
+//: even
       const leg = clamp(Math.floor(passed / step), count - 1);
       ease.currentTime = clamp((passed - leg * step) / duration, 1);
+//: uneven
+      let leg = 0, own = passed;
+      while (leg < count - 1 && own >= duration * ways[leg] + hold) own -= duration * ways[leg++] + hold;
+      ease.currentTime = clamp(own / (duration * ways[leg]), 1);
+//: always
       show((leg + eased.getComputedTiming().progress) / count);
     }
     last = now;

@@ -56,7 +56,7 @@ def module(segments: Segments, options: WriteOptions, observe: Observer = unobse
 
 def module_text(segments: Segments, options: WriteOptions) -> str:
     """The text of the module."""
-    movements = segments.movements
+    movements, ways = segments.movements, segments.ways
     box = movements[0].box
     grid = grid_of(
         [drawing for m in movements for drawing in m.at(np.array([0.0, 1.0]))], options.precision
@@ -87,10 +87,11 @@ def module_text(segments: Segments, options: WriteOptions) -> str:
         "const decimals": decimals,
         "const legs": legs,
         **({"const nests": nests} if grouped else {}),
+        **({"const ways": [_short(way / options.duration) for way in ways]} if ways else {}),
     }
     lines = [f"{name}={_json(value)};" for name, value in constants.items()]
     blocks = {"always", "still paint" if still else "moving paint", f"start {options.start}"}
-    blocks.add("groups" if grouped else "no groups")
+    blocks |= {"groups" if grouped else "no groups", "uneven" if ways else "even"}
     return HEAD + "\n".join(lines) + "\n" + runtime(blocks)
 
 

@@ -58,9 +58,10 @@
     const time = all.length > 1 ? k / (all.length - 1) : 0;
     mount(button.querySelector(".paper"))(time);
     button.onclick = () => {
-      const { duration, hold } = timing, step = duration + hold, swing = looping.value == "alternate";
+      const { duration, hold } = timing, swing = looping.value == "alternate";
       const before = swing ? hold / 2 : hold;
-      go(k ? (before + k * step - hold) / animation.effect.getTiming().duration : 0);
+      const passed = typeof ways == "undefined" ? k : ways.slice(0, k).reduce((sum, way) => sum + way, 0);
+      go(k ? (before + passed * duration + (k - 1) * hold) / animation.effect.getTiming().duration : 0);
     };
   });
 

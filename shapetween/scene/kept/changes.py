@@ -13,6 +13,7 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
+from shapetween.scene.kept.strips import Strip
 from shapetween.scene.kept.voids import lone_void
 from shapetween.scene.kept.wipes import Telescoped, Wiped, extent_along
 from shapetween.scene.motion.tracks import Blend
@@ -208,7 +209,7 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     low, high = min(low for low, _ in reaches), max(high for _, high in reaches)
     ends = (low, high) if bar.comes else (high, low)
     return [
-        Wiped(own, bar.ahead, ends, p.comes == bar.comes)
+        Strip(own, bar.ahead, ends, p.comes == bar.comes)
         for p, own in zip(group, rings, strict=True)
     ]
 

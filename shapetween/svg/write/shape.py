@@ -13,10 +13,11 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.geometry.merging import merged_curves
-from shapetween.model.part import Part
+from shapetween.model.part import Part, shown_while
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
 from shapetween.timing.sums import EasingSum, sum_of_easings
+from shapetween.timing.windows import turning_times
 
 __all__ = ["ShapeMotion", "shape_motion"]
 
@@ -71,8 +72,21 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     clock = _for_so_many(clock, sum(part.rings))
     step = 10.0**-decimals
     finer, kept = clock.schedule.finer()
-    stack, rings = part.curves(finer.time), part.rings
+    seen = shown_while(part) if clock.adaptive else (0.0, 1.0)
+
+    def places(clock: Floats) -> Floats:
+        curves = part.curves(np.clip(finer.time_at(clock), *seen))
+        return curves.reshape(len(clock), -1, 2)
+
+    stack, rings = part.curves(np.clip(finer.time, *seen)), part.rings
+    turns: tuple[float, ...] = ()
     if clock.adaptive:
+        every = stack.reshape(len(stack), -1, 2)
+        turns = turning_times(every, finer.clock, tolerance, places)
+        if turns:
+            finer, own = finer.with_corners(turns)
+            kept = own[kept]
+            stack = part.curves(np.clip(finer.time, *seen))
         stack, rings = merged_curves(stack, rings, MERGED * tolerance, step / 2)
     form = PathForm.of(rings, part.closed, straight_curves(stack, STRAIGHT * tolerance, step))
     points = form.points(stack)
@@ -87,7 +101,10 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
         def most() -> int:
             return _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
 
-        found = sum_of_easings(points, finer.clock, step, tolerance, importance, most)
+        late = seen != (0.0, 1.0)
+        found = sum_of_easings(
+            points, finer.clock, step, tolerance, importance, most, turns, late=late
+        )
         if found is not None:
             return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
     points = points[kept]
@@ -111,8 +128,16 @@ def _summed(
     rest, *_ = form.texts(first, decimals)
     start, *added = form.texts(np.concatenate([first + found.terms[:1], found.terms[1:]]), decimals)
     head, *tail = found.easings
-    # All of one way together: what sets off with the first, which replaces, adds to it.
     ways = [[{"attributeName": "d", **timing}] for timing in clock.eased(head, rest, start)]
+    alone = form.texts(found.terms[:1], decimals)[0]
+    if clock.is_one_way and len(alone) + ANIMATION < len(start):
+        # What stays is told once: it is set, and all that moves adds to it.
+        ways, tail, added = (
+            [[{"attributeName": "d", "to": rest}]],
+            list(found.easings),
+            [alone, *added],
+        )
+    # All of one way together: what sets off with the first, which replaces, adds to it.
     zero = form.zero()
     for easing, text in zip(tail, added, strict=True):
         for way, timing in zip(ways, clock.eased(easing, zero, text), strict=True):

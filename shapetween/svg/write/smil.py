@@ -196,6 +196,6 @@ def add_part(
         keep_pattern(path, track.styles, slower, gradients, tolerance)
         path.set("d", motion.rest)
         for attributes in motion.animations:
-            ET.SubElement(path, "animate", attributes)
+            ET.SubElement(path, "set" if "to" in attributes else "animate", attributes)
         paths.append(path)
     return paths

@@ -17,6 +17,7 @@ from shapetween.geometry.bezier import evaluate
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style
+from shapetween.model.part import shown_while
 from shapetween.svg.write.sequence import frame_svg
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.easing import easing_function
@@ -71,6 +72,26 @@ def test_the_browsers_in_betweens_stay_within_a_quarter_of_a_pixel(
 
 #: Shares of a curve at which it is compared.
 BETWEEN = np.linspace(0, 1, 9)
+
+
+def test_what_is_not_seen_does_not_move() -> None:
+    """Only where it is told: what has gone is still, and no easing is spent on it."""
+    curves = circle(np.array([50.0, 40.0]), 30.0)
+
+    class Going:
+        def at(self, t: float) -> Style:
+            return Style(Colour(0, 0, 0), opacity=float(t < 0.41))
+
+    part = replace(formula_part(curves, spin(0.4, (300.0, 20.0))), paint=Going())
+    first, last = shown_while(part)
+    assert (first, round(last, 4)) == (0.0, 0.41)
+    text = smil_svg(Movement((part,), Box(0, 0, 100, 100)), duration=1.0)
+    (path,) = moving_paths(ET.fromstring(text))
+    told = [each for each in path if each.get("attributeName") == "d"]
+    assert told
+    for each in told:
+        until = float(each.get("begin", "0s")[:-1]) + float(each.attrib["dur"][:-1])
+        assert until <= 0.411
 
 
 def test_every_value_has_the_same_commands_and_the_file_rests_at_its_start() -> None:
