@@ -32,11 +32,12 @@ def fold_onto(k: int, host: int, side: Side) -> Fold | None:
     k : int
         An open line.
     host : int
-        What stays, and both its ends lie on.
+        What both its ends lie on; if it goes as well, it does so later.
     side : Side
     """
     item, other = side.scene.items[k], side.scene.items[host]
-    if other.filled or len(side.hosts[host]) != 1 or not opaque(other):
+    tracks = side.hosts.get(host, ())
+    if other.filled or len(tracks) > 1 or not opaque(other):
         return None
     if np.abs(item.colour - other.colour).max() > COLOUR or item.width > WIDER * other.width:
         return None
@@ -48,4 +49,4 @@ def fold_onto(k: int, host: int, side: Side) -> Fold | None:
         return None
     knots = np.array([0.0, 1.0])
     pieces = cut_alike(Places(item.outer), run, knots, knots)
-    return Fold(pieces, side.hosts[host][0], side.end, side.scene.scale)
+    return Fold(pieces, tracks[0] if tracks else None, side.end, side.scene.scale)

@@ -160,9 +160,9 @@ def _between(
     ends = item.outer.curves[[0, -1], [0, 3]]
     if np.abs(ends[1] - ends[0]).max() < ON * item.width:  # a loop
         return Going(Leaving(window, ends[0], least=STUB), carries[0])
-    fold = fold_onto(k, on[0], side) if on[0] == on[1] and on[0] in side.hosts else None
+    fold = fold_onto(k, on[0], side) if on[0] == on[1] else None
     if fold is not None:
-        return Going(Leaving(window), fold=fold)
+        return Going(Leaving(window), carries[0] if fold.anchor is None else (), fold=fold)
     mated = any(axis.mates[k] >= 0 for axis in side.scene.axes)
     if mated or not (side.end is End.TARGET and _slashes(k, None, side)):
         apart = all(j in side.hosts for j in on)

@@ -189,3 +189,15 @@ def test_an_end_goes_round_what_it_lies_on_and_not_through_it(tmp_path: Path) ->
     ends = np.array([ends_of(stem.curves(np.array([t]))[0]) for t in TIMES])
     away = np.linalg.norm(ends - np.array([7.0, 17.0]), axis=-1).min(axis=1)
     np.testing.assert_allclose(away, 4, atol=0.02)
+
+
+def test_what_hangs_on_what_goes_folds_onto_that(tmp_path: Path) -> None:
+    """A key's bit lies down on its shaft, which is retracted thereafter."""
+    bow = '<circle cx="6" cy="12" r="4"/>'
+    key = bow + '<path d="M10 12h12"/><path d="M15 12v4h5v-4"/>'
+    parts = lone(morph(tmp_path, key, bow, ICON), arrives=False)
+    shaft, bit = sorted(parts, key=lambda p: float(np.ptp(box(p, 0.0)[:, 1])))
+    for t in (0.05, 0.1, 0.15):
+        curves = bit.curves(np.array([t]))[0]
+        np.testing.assert_allclose(ends_of(curves), [[15, 12], [20, 12]], atol=1e-6)
+    assert bit.style(0.4).opacity == 0 < shaft.style(0.4).opacity

@@ -22,8 +22,8 @@ class Fold:
     ----------
     pieces : Pieces
         The line's, and what each lies on at last.
-    anchor : CurveTrack
-        Of what it hangs on.
+    anchor : CurveTrack or None
+        Of what it hangs on, if that moves.
     end : End
         The end at which the line exists.
     scale : float
@@ -31,22 +31,24 @@ class Fold:
     """
 
     pieces: Pieces
-    anchor: CurveTrack
+    anchor: CurveTrack | None
     end: End
     scale: float
 
     @cached_property
-    def _followers(self) -> tuple[Follower, Follower]:
+    def _followers(self) -> tuple[Follower, ...]:
+        if self.anchor is None:
+            return ()
         home = self.anchor.curves(np.array([float(self.end)]))[0]
-        return (
-            Follower.of(home, self.pieces.source, self.scale),
-            Follower.of(home, self.pieces.target, self.scale),
-        )
+        ends = self.pieces.source, self.pieces.target
+        return tuple(Follower.of(home, own, self.scale) for own in ends)
 
     def curves(self, t: Floats, gone: Floats) -> Curves:
         """Control points at the times (F,) when it is folded so far (F,), (F, P, 4, 2)."""
-        anchor = self.anchor.curves(t)
-        up, down = (follower.moved(anchor) for follower in self._followers)
+        up, down = self.pieces.source[None], self.pieces.target[None]
+        if self.anchor is not None:
+            anchor = self.anchor.curves(t)
+            up, down = (follower.moved(anchor) for follower in self._followers)
         part = gone[:, None, None, None]
         result = (1 - part) * up + part * down
         result[:, 1:, 0] = result[:, :-1, 3]
