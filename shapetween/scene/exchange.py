@@ -65,7 +65,8 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     i, j = firsts[k], seconds[k]
     alike = float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
     one, other = a.items[i], b.items[j]
-    hollow = abs(_filling(one) - _filling(other))
+    # What is open encloses little, but a ring that becomes a line comes down onto it.
+    hollow = abs(_filling(one) - _filling(other)) if one.closed == other.closed else 0.0
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow)
 
 

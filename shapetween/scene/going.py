@@ -26,6 +26,10 @@ GOES, COMES = (0.0, 0.44), (0.42, 1.0)
 #: stays, between the two.
 ALL_GO, ALL_COME = (0.0, 0.48), (0.42, 1.0)
 
+#: The same where what goes and what comes are nowhere near each other: they may be seen at once,
+#: and nothing jumps into the picture half way.
+APART_GO, APART_COME = (0.0, 0.52), (0.28, 1.0)
+
 #: When what has no partner comes where nothing goes that it would have to wait for. Later, and for
 #: half of the time nothing happens; from the very start, and it comes with a jerk.
 ONLY_COME = (0.12, 1.0)
@@ -81,6 +85,8 @@ class Side:
         Pieces that are cut out of the other drawing's lines.
     only : bool
         Whether the other drawing has nothing without a partner.
+    apart : bool
+        Whether that is nowhere near what has none of this one.
     """
 
     scene: Scene
@@ -88,6 +94,7 @@ class Side:
     end: End
     gaps: tuple[Item, ...] = ()
     only: bool = False
+    apart: bool = False
 
     @cached_property
     def window(self) -> tuple[float, float]:
@@ -98,7 +105,9 @@ class Side:
         areas[self.scene.sheets] = 0.0
         whole = float(areas.sum())
         stays = float(areas[list(self.hosts)].sum()) / whole if whole > 0 else 1.0
-        some, none = (COMES, ALL_COME) if self.end is End.TARGET else (GOES, ALL_GO)
+        go = (APART_GO, ALL_GO) if self.apart else (GOES, ALL_GO)
+        come = (APART_COME, ALL_COME) if self.apart else (COMES, ALL_COME)
+        some, none = come if self.end is End.TARGET else go
         gone = (1 - stays) ** 2  # a part or two that go do not count
         low, high = ((1 - gone) * a + gone * b for a, b in zip(some, none, strict=True))
         return low, high

@@ -58,6 +58,11 @@ LIKE = (0.8, 2.5)
 #: When that is looked at, of what comes; of what goes, backwards.
 AWAY_FROM_HOME = np.array([0.0, 0.25, 0.5])
 
+#: Distance of what goes from what comes, as a share of the drawing, from which on both may be seen
+#: at once. Smaller, and one grows into what is left of the other; larger, and newcomers wait for
+#: what is nowhere near them.
+APART = 0.03
+
 #: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.
 SLIM = 1.6
 
@@ -83,14 +88,27 @@ def goings_between(
         tuple(s.items[k] for k in own if s.items[k].cut and not s.items[k].filled)
         for s, own in zip(scenes, lone, strict=True)
     ]
+    apart = _apart(scenes, lone)
     sides = (
-        Side(scenes[0], hosts[0], End.SOURCE, gaps[1], not lone[1]),
-        Side(scenes[1], hosts[1], End.TARGET, gaps[0], not lone[0]),
+        Side(scenes[0], hosts[0], End.SOURCE, gaps[1], not lone[1], apart),
+        Side(scenes[1], hosts[1], End.TARGET, gaps[0], not lone[0], apart),
     )
     first, second = (_goings(s, own, change) for s, own in zip(sides, lone, strict=True))
     timed_gaps(sides[0], sides[1], first, second)
     timed_gaps(sides[1], sides[0], second, first)
     return first, second
+
+
+def _apart(scenes: tuple[Scene, Scene], lone: tuple[Sequence[int], Sequence[int]]) -> bool:
+    """Whether what goes is nowhere near what comes."""
+    import shapely
+
+    drawn = [
+        shapely.union_all([s.items[k].enclosed for k in own if not s.sheets[k]])
+        for s, own in zip(scenes, lone, strict=True)
+    ]
+    scale = (scenes[0].scale + scenes[1].scale) / 2
+    return bool(shapely.distance(*drawn) > APART * scale)
 
 
 def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> dict[int, Going]:

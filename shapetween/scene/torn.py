@@ -22,7 +22,7 @@ ALONG = 0.08
 #: How near a line's ends are to a ring that folds flat onto it, and how near to the ends of the
 #: ring's own length, as shares of the drawing. Larger, and whatever is closed collapses into
 #: whatever is open; smaller, and an eye does not close.
-NEAR = 0.12
+NEAR = 0.1
 
 #: Greatest length of a line that a ring folds flat onto, beside the distance of its ends. Larger,
 #: and a box collapses into three of its sides.

@@ -191,14 +191,26 @@ def test_what_hangs_on_a_line_that_comes_is_drawn_after_it(tmp_path: Path) -> No
 
 
 def test_leavers_are_early_newcomers_late_and_the_middle_is_not_empty(tmp_path: Path) -> None:
-    mouth = '<path d="M7 15h10v3h-10z"/>'
     brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
-    found = morph(tmp_path, FACE + brows, FACE + mouth)
+    lid = '<path d="M6 6h12v2h-12z"/>'
+    found = morph(tmp_path, FACE + brows, FACE + lid)
     away, new = lone(found, arrives=False), lone(found, arrives=True)
+    assert len(away) + len(new) > 1
     assert all(p.style(0.55).opacity == 0 for p in away)
     assert all(p.style(0.35).opacity == 0 for p in new)
     for t in np.linspace(0, 1, 21):
         assert any(p.style(float(t)).opacity == 1 for p in away + new)
+
+
+def test_what_is_nowhere_near_what_goes_does_not_jump_in_half_way(tmp_path: Path) -> None:
+    """Brows go and a mouth comes: it is on its way when they are half as large."""
+    mouth = '<path d="M7 15h10v3h-10z"/>'
+    brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
+    (new,) = lone(morph(tmp_path, FACE + brows, FACE + mouth), arrives=True)
+    assert new.style(0.25).opacity == 0 < new.style(0.35).opacity
+    sizes = np.array([0.0] + [float(np.ptp(box(new, t)[:, 0])) for t in (0.375, 0.5, 0.625)])
+    assert np.diff(sizes).max() < 0.5 * 10
+    assert sizes[2] > 0.6 * 10
 
 
 def test_where_nothing_stays_both_are_seen_for_a_while(tmp_path: Path) -> None:
