@@ -29,8 +29,8 @@ __all__ = ["BOTH", "Carry", "Leaving", "LeavingPaint", "LeavingTrack", "smooth_s
 #: How soon a contour's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.02
 
-#: Share of leaving from which on what is retracted also thins, or an area fades: no dot is left.
-#: Smaller, and lines are seen to taper; at 1, round caps vanish at once.
+#: Share of leaving from which on what is retracted also fades: no dot is left. Smaller, and ghosts
+#: of lines are seen; at 1, round caps vanish at once.
 LAST = 0.96
 
 #: Powers of time by which parts shrink and lines are retracted. At 1 what comes is a speck too
@@ -266,9 +266,6 @@ class LeavingPaint:
             seen = 1 - gone
         elif self.leaving.kept is not None and not self.leaving.least:
             seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
-            if style.stroke is not None:
-                style = replace(style, stroke=_thinned(style.stroke, seen))
-                seen = float(seen > 0)
         else:
             seen = float(gone < 1)
         smaller = self.leaving.place is not None or self.leaving.thins
