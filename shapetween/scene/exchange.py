@@ -15,6 +15,7 @@ from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.presence import Leaving
 from shapetween.scene.relations import Scene, drawn_box, in_common
+from shapetween.scene.torn import closes
 
 __all__ = ["EXCHANGED", "difference", "exchange_goings", "exchange_roles"]
 
@@ -65,8 +66,9 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     i, j = firsts[k], seconds[k]
     alike = float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
     one, other = a.items[i], b.items[j]
-    # What is open encloses little, but a ring that becomes a line comes down onto it.
-    hollow = abs(_filling(one) - _filling(other)) if one.closed == other.closed else 0.0
+    # An open line fills little of its hull, also where a ring comes down onto it.
+    closing = closes(one, other, (a.scale + b.scale) / 2)
+    hollow = 0.0 if closing else abs(_filling(one) - _filling(other))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow)
 
 

@@ -8,7 +8,7 @@ from shapetween.scene.items import Item
 from shapetween.scene.places import Places
 from shapetween.scene.relations import Scene
 
-__all__ = ["folds", "torn"]
+__all__ = ["closes", "folds", "torn"]
 
 #: Greatest distance of an open line's ends, as a share of its length, for a ring to open there.
 #: Larger, and cups unzip to become waves; smaller, and rings with a mouth are left alone.
@@ -34,16 +34,24 @@ def torn(a: Scene, b: Scene) -> Mask:
     found = np.zeros((len(a.items), len(b.items)), dtype=bool)
     scale = (a.scale + b.scale) / 2
     for one, other, pairs in ((a, b, found), (b, a, found.T)):
-        rings = [k for k, item in enumerate(one.items) if not item.filled and item.closed]
-        rings = [k for k in rings if not isinstance(one.forms[k], Dot)]
+        rings = [
+            k
+            for k, item in enumerate(one.items)
+            if item.closed and not item.filled and not isinstance(one.forms[k], Dot)
+        ]
+        if not rings:
+            continue
+        boxes = np.array([one.items[k].box for k in rings])
         for j, line in enumerate(other.items):
             if line.filled or line.closed or isinstance(other.forms[j], Dot):
                 continue
             if mouth(line) <= MOUTH:
                 continue
-            for k in rings:
-                ring = one.items[k]
-                pairs[k, j] = not (along(ring, line, scale) or folds(ring, line, scale))
+            pairs[rings, j] = True
+            ends = line.outer.curves[[0, -1], [0, 3]]
+            off = np.maximum(boxes[:, :1] - ends, ends - boxes[:, 1:]).max(axis=(1, 2))
+            for n in np.flatnonzero(off < max(NEAR, ALONG) * scale).tolist():
+                pairs[rings[n], j] = not closes(one.items[rings[n]], line, scale)
     return found
 
 
@@ -53,7 +61,15 @@ def mouth(line: Item) -> float:
     return float(np.linalg.norm(ends[1] - ends[0])) / max(line.length, 1e-12)
 
 
-def along(ring: Item, line: Item, scale: float) -> bool:
+def closes(one: Item, other: Item, scale: float) -> bool:
+    """Whether of a closed and an open line one comes to lie on the other with little way."""
+    if one.filled or other.filled or one.closed == other.closed:
+        return False
+    ring, line = (one, other) if one.closed else (other, one)
+    return _along(ring, line, scale) or folds(ring, line, scale)
+
+
+def _along(ring: Item, line: Item, scale: float) -> bool:
     """Whether a line lies along a ring everywhere, and along most of it."""
     places = Places(ring.outer)
     away = np.linalg.norm(places.point(places.nearest(line.points)) - line.points, axis=1)
