@@ -144,7 +144,7 @@ def _by_itself(k: int, side: Side) -> Going | None:
     parent = staying_parent(k, scene, side.hosts)
     if parent is not None and item.filled and scene.items[parent].filled:
         away = np.abs(scene.colours[k] - scene.colours[parent]).sum()
-        if away < SHADE and scene.common[k, parent] > LIES_ON * item.area:
+        if away < SHADE and scene.common(k, parent) > LIES_ON * item.area:
             return Going(Leaving(side.window, fades=True), side.carry(parent, item.centre, "in"))
     return None
 

@@ -68,36 +68,63 @@ class Axis:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Items and how they lie.
+    """Items and how they lie; how is found when it is asked for.
 
     Attributes
     ----------
     items : tuple of Item
         In paint order.
-    forms : tuple of Form
     scale : float
         Diagonal of what is drawn, a sheet apart.
-    parents : (N,) intp
-        The smallest item that an item lies in; -1 without one.
-    outlined : (N,) intp
-        The fill that a line is the outline of; -1 without one.
     sheets : (N,) bool
         What is no part of the drawing but the page behind it.
-    touching : (N, N) bool
-    common : (N, N) float64
-        Area that two items have in common.
-    axes : tuple of Axis
     """
 
     items: tuple[Item, ...]
-    forms: tuple[Form, ...]
     scale: float
-    parents: Index
-    outlined: Index
     sheets: Mask
-    touching: Mask
-    common: Floats
-    axes: tuple[Axis, ...]
+
+    @cached_property
+    def forms(self) -> tuple[Form, ...]:
+        """What each item is."""
+        return tuple(form_of(item) for item in self.items)
+
+    @cached_property
+    def drawn(self) -> Shapes:
+        """What is painted of each, (N,)."""
+        return np.array([item.drawn for item in self.items], dtype=object)
+
+    @cached_property
+    def parents(self) -> Index:
+        """The smallest item that each lies in, -1 without one, (N,)."""
+        return _parents(self.items, self.drawn, self.sheets, self.outlined)
+
+    @cached_property
+    def outlined(self) -> Index:
+        """The fill that a line is the outline of, -1 without one, (N,)."""
+        return _outlined(self.items, self.drawn, self.scale)
+
+    @cached_property
+    def touching(self) -> Mask:
+        """Which items touch or overlap, (N, N)."""
+        import shapely
+
+        first, second = shapely.STRtree(self.drawn).query(self.drawn, predicate="intersects")
+        touching = np.zeros((len(self.items), len(self.items)), dtype=bool)
+        touching[first, second] = True
+        return touching
+
+    def common(self, one: int, other: int) -> float:
+        """Area that two items have in common."""
+        if not (self.touching[one, other] or self.touching[other, one]):
+            return 0.0
+        first, second = sorted((one, other))
+        return float(self.drawn[first].intersection(self.drawn[second]).area)
+
+    @cached_property
+    def axes(self) -> tuple[Axis, ...]:
+        """About which the drawing is its own mirror image, or nearly."""
+        return _axes(self)
 
     @cached_property
     def centres(self) -> Points:
@@ -135,30 +162,9 @@ def perceive(items: Sequence[Item], view: Points) -> Scene:
     view : (2, 2) float64
         Least and greatest corner of what is shown.
     """
-    import shapely
-
     sheets = _sheets(items, view)
     box = drawn_box(items, sheets)
-    scale = float(np.hypot(*(box[1] - box[0]))) or 1.0
-    drawn = np.array([item.drawn for item in items], dtype=object)
-    enclosed = np.array([item.enclosed for item in items], dtype=object)
-    tree = shapely.STRtree(drawn)
-    first, second = tree.query(drawn, predicate="intersects")
-    count = len(items)
-    touching = np.zeros((count, count), dtype=bool)
-    touching[first, second] = True
-    common = np.zeros((count, count))
-    upper = first <= second
-    areas = shapely.area(shapely.intersection(drawn[first[upper]], drawn[second[upper]]))
-    common[first[upper], second[upper]] = areas
-    common = np.maximum(common, common.T)
-    forms = tuple(form_of(item) for item in items)
-    outlined = _outlined(items, drawn, scale)
-    parents = _parents(items, drawn, enclosed, sheets, outlined)
-    scene = Scene(tuple(items), forms, scale, parents, outlined, sheets, touching, common, ())
-    return Scene(
-        scene.items, forms, scale, parents, outlined, sheets, touching, common, _axes(scene)
-    )
+    return Scene(tuple(items), float(np.hypot(*(box[1] - box[0]))) or 1.0, sheets)
 
 
 def drawn_box(items: Sequence[Item], sheets: Mask) -> Points:
@@ -213,13 +219,7 @@ def _outlined(items: Sequence[Item], drawn: Shapes, scale: float) -> Index:
     return outlined
 
 
-def _parents(
-    items: Sequence[Item],
-    drawn: Shapes,
-    enclosed: Shapes,
-    sheets: Mask,
-    outlined: Index,
-) -> Index:
+def _parents(items: Sequence[Item], drawn: Shapes, sheets: Mask, outlined: Index) -> Index:
     """The smallest item that covers most of each, -1 without one."""
     import shapely
 
@@ -227,15 +227,15 @@ def _parents(
     hosts = [k for k, item in enumerate(items) if item.closed and not sheets[k] and outlined[k] < 0]
     if not hosts:
         return parents
-    around = np.array([enclosed[k] for k in hosts], dtype=object)
-    inner = np.array(drawn, dtype=object)
+    enclosed = np.array([item.enclosed for item in items], dtype=object)
+    around, inner = enclosed[hosts], drawn
     # What an outline encloses tells where a closed line lies.
     child, host = shapely.STRtree(around).query(inner, predicate="intersects")
     areas = shapely.area(around)
     own = shapely.area(inner)
     place = np.array(hosts)[host]
     filled = np.array([item.filled for item in items])
-    fine = (place != child) & (areas[host] > 1.02 * shapely.area(np.array(enclosed))[child])
+    fine = (place != child) & (areas[host] > 1.02 * shapely.area(enclosed)[child])
     # Only what is painted before it can be a fill's ground; a ring may be drawn after.
     fine &= (place < child) | ~filled[place]
     child, host, place = child[fine], host[fine], place[fine]

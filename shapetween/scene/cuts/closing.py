@@ -41,11 +41,12 @@ def closed_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     What is drawn twice then lies on itself, so both drawings stay as they are.
     """
     kept = {k for one, _ in groups for k in one}
-    gaps = shared_lines(parts, whole)  # rings that these lines are pieces of
-    rings = [
-        j for j, item in enumerate(parts.items) if _line(item) and item.closed and j not in gaps
-    ]
     lines = [k for k, item in enumerate(whole.items) if _line(item) and not item.closed]
+    rings = [j for j, item in enumerate(parts.items) if _line(item) and item.closed]
+    if not lines or not rings:
+        return {}
+    gaps = shared_lines(parts, whole)  # rings that these lines are pieces of
+    rings = [j for j in rings if j not in gaps]
     options = []
     for k in lines:
         if whole.items[k].shape in kept or not rings:

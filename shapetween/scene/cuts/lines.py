@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shapetween.base.arrays import Points
 from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
@@ -37,18 +38,24 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     found: Found = {}
     taken: set[int] = set()
     lines = [(k, item) for k, item in enumerate(parts.items) if not item.filled and not item.closed]
+    if not lines:
+        return found
+    sampled: dict[int, Points] = {}
     scale = (whole.scale + parts.scale) / 2
     order = np.argsort(-comparable([item.length for item in whole.items]), kind="stable").tolist()
     for k in order:
         item = whole.items[k]
         if item.filled or item.shape in kept or not opaque(item):
             continue
+        near = [(j, line) for j, line in lines if j not in taken and _near(line, item, scale)]
+        if not near:
+            continue
         places = Places(item.outer)
         spans = []
-        for j, line in lines:
-            if j in taken or line.length > (1 + LENGTH) * item.length:
-                continue
-            span = _span(places, line, item, scale)
+        for j, line in near:
+            if j not in sampled:
+                sampled[j] = Places(line.outer).point(np.linspace(0.0, 1.0, SAMPLED))
+            span = _span(places, line, sampled[j], scale)
             if span is not None:
                 spans.append((*span, j))
         spans = _apart(sorted(spans), item.closed)
@@ -71,16 +78,20 @@ def opaque(item: Item) -> bool:
     return alpha * item.style.opacity > 0.999
 
 
-def _span(places: Places, line: Item, item: Item, scale: float) -> tuple[float, float] | None:
-    """Where on an outline a line lies, as increasing shares; None if it does not."""
+def _near(line: Item, item: Item, scale: float) -> bool:
+    """Whether a line is painted like another one, no longer and within its box."""
+    if line.length > (1 + LENGTH) * item.length:
+        return False
     if abs(line.width - item.width) > 0.2 * item.width:
-        return None
+        return False
     if (np.abs(line.colour - item.colour) > 0.05).any():
-        return None
+        return False
     low, high = item.box - ON * scale, item.box + ON * scale
-    if (line.box[0] < low[0]).any() or (line.box[1] > high[1]).any():
-        return None
-    points = Places(line.outer).point(np.linspace(0.0, 1.0, SAMPLED))
+    return not ((line.box[0] < low[0]).any() or (line.box[1] > high[1]).any())
+
+
+def _span(places: Places, line: Item, points: Points, scale: float) -> tuple[float, float] | None:
+    """Where on an outline a line lies by its samples, as increasing shares; None if nowhere."""
     shares = places.nearest(points)
     away = np.linalg.norm(places.point(shares) - points, axis=1)
     if away.max() > ON * scale:
