@@ -17,7 +17,6 @@ from shapetween.fill.settings import FillSettings
 from shapetween.fill.track import FillTrack
 from shapetween.geometry.affine import mapped
 from shapetween.interpolate import check_method
-from shapetween.match.register import register
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import Fit, Flip, fit_matrix
@@ -31,7 +30,7 @@ from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.areas import kept_areas
 from shapetween.scene.limbs import with_limbs
-from shapetween.scene.motion.choose import SAME, corners_suffice, is_blob
+from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
@@ -301,8 +300,6 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
     if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
         return False
     if turns_over(one, other):
-        return False
-    if is_blob(one) and is_blob(other) and register(one.outer, other.outer) is None:
         return False
     places = [Places(item.outer.clockwise()) for item in (one, other)]
     if anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is not None:

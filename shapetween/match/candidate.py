@@ -11,11 +11,24 @@ from shapetween.base.arrays import Floats
 from shapetween.match.correspondence import Correspondence
 from shapetween.match.layout import Layout
 
-__all__ = ["DISTINCT", "Candidate", "apart", "around", "away", "distinct", "follow", "near"]
+__all__ = [
+    "DISTINCT",
+    "Candidate",
+    "agrees",
+    "apart",
+    "around",
+    "away",
+    "distinct",
+    "follow",
+    "near",
+]
 
 #: Least mean distance, as a share of the length, between two matchings that are different ones.
 #: Less, and the alternatives offered look alike; more, and one limb that goes elsewhere is missed.
 DISTINCT = 0.03
+
+#: Even places at which knots are compared with a matching. Fewer step over a limb.
+PLACES = 512
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +71,24 @@ def distinct(
 def apart(first: Correspondence, second: Correspondence) -> float:
     """Mean distance of two matchings, as a share of the target's length."""
     return _gap(first.u, first.v, follow(second.u, second.v, first.u))
+
+
+def agrees(u: Floats, v: Floats, found: Correspondence) -> bool:
+    """Whether two closed outlines' knots are no other matching than a given one.
+
+    Parameters
+    ----------
+    u, v : (K,) float64
+        Shares of the lengths over one turn, neither ever decreasing.
+    found : Correspondence
+    """
+    knots = (u - u[0] + v - v[0]) / 2
+    even = np.arange(PLACES) / PLACES
+    a, b = np.interp(even, knots, u), np.interp(even, knots, v)
+    # Along the nearer outline: where a stretch of one comes from a point the other stands still.
+    across, along = b - follow(found.u, found.v, a), a - follow(found.v, found.u, b)
+    gaps = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
+    return bool(gaps.mean() <= DISTINCT)
 
 
 def near(first: Candidate, second: Candidate) -> bool:

@@ -3,6 +3,11 @@
 import numpy as np
 
 from shapetween.match import Matcher, correspond
+from shapetween.model.drawing import Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Style
+from shapetween.scene.items import Item, items_of
+from shapetween.scene.motion.choose import corners_suffice
 from tests.match.labels import labelled
 
 #: Every how many-th pair is matched here; all of them take a minute.
@@ -45,3 +50,14 @@ def test_who_faces_the_other_way_is_told_and_hardly_anybody_else() -> None:
     opposite = np.sum([pair.faces_other_way for pair in pairs])
     assert told[True] >= 0.3 * opposite
     assert told[False] <= 0.03 * len(pairs)
+
+
+def item(outline: Outline) -> Item:
+    ((found,), _) = items_of((Shape((outline,), Style(Colour())),), "labels")
+    return found
+
+
+def test_what_is_meant_turned_is_not_left_to_its_corners_which_never_turn() -> None:
+    for pair in labelled("tune", "test", every=2):
+        if abs(pair.turn) > 40 and not pair.wrong(correspond(pair.source, pair.target)):
+            assert not corners_suffice(item(pair.source), item(pair.target)), pair.name

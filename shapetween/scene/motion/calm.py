@@ -4,13 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Points
+from shapetween.base.arrays import Curves
 from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
-from shapetween.match.moments import area_moments
 from shapetween.model.part import CurveTrack
 
-__all__ = ["Calm", "asks_to_turn", "calm_of", "turning_of"]
+__all__ = ["Calm", "calm_of", "turning_of"]
 
 #: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
 #: limbs, which swing: that is the outline engine's.
@@ -20,10 +19,6 @@ MOST_TURNS = 4.3
 #: corner. More, and waves that neither end has are let pass; less, and a corner that is born from
 #: a round run is held to be one.
 CALM = 0.12
-
-#: Ratio of the axes from which on a shape has a direction, and angle between two directions,
-#: radians, from which on a shape that has one turns from one to the other.
-LONG, TURNED = 2.0, np.deg2rad(30.0)
 
 #: Times at which turning is looked at, the ends first and last.
 TURNING = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
@@ -82,20 +77,3 @@ def turning_of(ring: Curves) -> float:
     angle = np.arctan2(np.roll(y, -1) - y, np.roll(x, -1) - x)
     turn = (np.roll(angle, -1) - angle + np.pi) % (2 * np.pi) - np.pi
     return float(np.abs(turn).sum() / (2 * np.pi))
-
-
-def asks_to_turn(first: Curves, second: Curves) -> bool:
-    """Whether two closed rings are long ones that lie in different directions."""
-    axes = [_axis(curves) for curves in (first, second)]
-    if axes[0] is None or axes[1] is None:
-        return False
-    return bool(abs(axes[0] @ axes[1]) < np.cos(TURNED))
-
-
-def _axis(curves: Curves) -> Points | None:
-    """The direction of a long shape; None of one that has none."""
-    _, _, spread = area_moments(curves)
-    size, axes = np.linalg.eigh(spread)
-    if not size[1] > LONG**2 * max(size[0], 0.0):
-        return None
-    return np.asarray(axes[:, 1])

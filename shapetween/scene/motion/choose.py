@@ -11,14 +11,18 @@ from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.settings import FillSettings
 from shapetween.geometry.polygon import cross
+from shapetween.match import Matcher
+from shapetween.match.candidate import agrees
+from shapetween.match.frames import MIN_TURN
 from shapetween.match.register import register
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
+from shapetween.outline.matching import upright_of
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
-from shapetween.scene.motion.calm import asks_to_turn, calm_of
+from shapetween.scene.motion.calm import calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
@@ -33,7 +37,6 @@ __all__ = [
     "corner_tracks",
     "corners_suffice",
     "elastic",
-    "is_blob",
     "open_track",
     "tracks_of",
 ]
@@ -161,47 +164,84 @@ def _closed(
             found = _blend(cut_alike(*places, *halves), first, second, 0.0)
             if _sound(found):
                 return (found, *hole_tracks(first, second, found)), ()
-    simple = corner_tracks(first, second)
-    large = ends.root and min(first.extent, second.extent) > LARGE * ends.scale
-    if (is_blob(first) and is_blob(second)) or not large:
+    corners = _by_corners(first, second)
+    simple = (corners.track, *hole_tracks(first, second, corners.track))
+    if not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
         return simple, ()
-    calm = calm_of(simple[0])
-    if calm.still and not asks_to_turn(first.outer.curves, second.outer.curves):
+    calm = calm_of(corners.track)
+    agreed = calm.plain and _as_matched(corners, first, second, upright=True)
+    if agreed and (calm.still or _blobs(first, second)):
         return simple, ()
     try:
         by_engine, said = elastic(ends, settings, names)
     except OutlineError as error:
         name = first.name or second.name
         return simple, (Notice("by-corners", str(error), name, "it moves by its corners"),)
-    if calm.plain and calm_of(by_engine[0]).waves > calm.waves:
+    if agreed and calm_of(by_engine[0]).waves > calm.waves:
         return simple, ()
     return by_engine, said
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Corners:
+    """How an outer ring becomes another by its corners alone, and the knots of both."""
+
+    track: Blend
+    u: Floats
+    v: Floats
+
+
+def _by_corners(first: Item, second: Item) -> _Corners:
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+    knots = even_knots(*places)
+    track = _blend(cut_alike(*places, *knots), first, second, 0.0)
+    if not _sound(track):
+        knots = ring_knots(*places)
+        track = _blend(cut_alike(*places, *knots), first, second, 0.0)
+    return _Corners(track, *knots)
+
+
 def corner_tracks(first: Item, second: Item) -> tuple[CurveTrack, ...]:
     """An area and its holes by their corners alone."""
-    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
-    found = _blend(cut_alike(*places, *even_knots(*places)), first, second, 0.0)
-    if not _sound(found):
-        found = _blend(cut_alike(*places, *ring_knots(*places)), first, second, 0.0)
+    found = _by_corners(first, second).track
     return (found, *hole_tracks(first, second, found))
 
 
 def corners_suffice(first: Item, second: Item) -> bool:
-    """Whether an area of no simple form becomes another calmly by its corners alone."""
-    if asks_to_turn(first.outer.curves, second.outer.curves):
-        return False
+    """Whether an area of no simple form becomes another by its corners alone.
+
+    It does so calmly, or is even at both ends, and goes where the outlines' own matching says: that
+    knows more of them than their corners, and turns what is drawn another way.
+    """
     if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
-    calm = calm_of(corner_tracks(first, second)[0])
-    if calm.still or not calm.plain:
-        return calm.still
-    # What is even stays so by its corners, whatever waves it throws.
-    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
-    return any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
+    corners = _by_corners(first, second)
+    calm = calm_of(corners.track)
+    if not (calm.still or _blobs(first, second)):
+        # What is even stays so by its corners, whatever waves it throws.
+        places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+        even = (mirrored_knots(*places, flips) is not None for flips in (0, 1))
+        if not (calm.plain and any(even)):
+            return False
+    return _as_matched(corners, first, second, upright=False)
 
 
-def is_blob(item: Item) -> bool:
+def _as_matched(corners: _Corners, first: Item, second: Item, *, upright: bool) -> bool:
+    """Whether corners become what the outlines' own matching takes them to, which does not turn."""
+    try:
+        found = Matcher(first.outer.clockwise(), second.outer.clockwise()).match()
+    except OutlineError:
+        return True
+    if upright:
+        found = upright_of(found)
+    return abs(found.turn) < MIN_TURN and agrees(corners.u, corners.v, found)
+
+
+def _blobs(first: Item, second: Item) -> bool:
+    return _is_blob(first) and _is_blob(second)
+
+
+def _is_blob(item: Item) -> bool:
     """Whether an outline is round all over, without limbs that could swing."""
     area = item.enclosed
     sharp = len(kinks_of(Places(item.outer))[0])
