@@ -210,31 +210,47 @@ def corner_tracks(first: Item, second: Item) -> tuple[CurveTrack, ...]:
 def corners_suffice(first: Item, second: Item) -> bool:
     """Whether an area of no simple form becomes another by its corners alone.
 
-    It does so calmly, or is even at both ends, and goes where the outlines' own matching says: that
-    knows more of them than their corners, and turns what is drawn another way.
+    It does so where the outlines' own matching turns neither, and the corners throw no waves and
+    go where that matching says, which knows more of the outlines; or where both are even.
     """
     if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
     corners = _by_corners(first, second)
     calm = calm_of(corners.track)
-    if not (calm.still or _blobs(first, second)):
-        # What is even stays so by its corners, whatever waves it throws.
-        places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
-        even = (mirrored_knots(*places, flips) is not None for flips in (0, 1))
-        if not (calm.plain and any(even)):
-            return False
-    return _as_matched(corners, first, second, upright=False)
+    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
+    # What is even stays so by its corners, whatever waves it throws and wherever they go.
+    even = calm.plain and any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
+    if not (even or calm.still or _blobs(first, second)):
+        return False
+    return _as_matched(corners, first, second, anywhere=even)
 
 
-def _as_matched(corners: _Corners, first: Item, second: Item, *, upright: bool) -> bool:
-    """Whether corners become what the outlines' own matching takes them to, which does not turn."""
+def _as_matched(
+    corners: _Corners,
+    first: Item,
+    second: Item,
+    *,
+    upright: bool = False,
+    anywhere: bool = False,
+) -> bool:
+    """Whether the outlines' own matching does not turn them, and goes where their corners do.
+
+    Parameters
+    ----------
+    corners : _Corners
+    first, second : Item
+    upright : bool
+        Whether they are parts of larger drawings, and so are not turned by themselves.
+    anywhere : bool
+        Whether it matters no more where it goes.
+    """
     try:
         found = Matcher(first.outer.clockwise(), second.outer.clockwise()).match()
     except OutlineError:
         return True
     if upright:
         found = upright_of(found)
-    return abs(found.turn) < MIN_TURN and agrees(corners.u, corners.v, found)
+    return abs(found.turn) < MIN_TURN and (anywhere or agrees(corners.u, corners.v, found))
 
 
 def _blobs(first: Item, second: Item) -> bool:
