@@ -11,6 +11,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.base.errors import OutlineError
 from shapetween.geometry.polygon import polygon_area
+from shapetween.mesh.contour import rounded
 from shapetween.mesh.dissection import dissect, joined_chains, linked_chains
 from shapetween.mesh.inner import joined_triangles, smoothed
 from shapetween.mesh.overlay import overlay
@@ -86,7 +87,7 @@ def _deepest(points: Points, first: int, gap: int) -> int:
     size = np.maximum((chord**2).sum(-1), np.finfo(float).tiny)
     share = np.clip((offset * chord).sum(-1) / size, 0, 1)
     off = ((offset - share[..., None] * chord) ** 2).sum(-1).sum(axis=0)
-    return (first + 1 + int(off.argmax())) % total
+    return (first + 1 + int(rounded(off).argmax())) % total  # of equals the first
 
 
 def repaired(rings: Points, chords: Index) -> Faces:

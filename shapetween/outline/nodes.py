@@ -8,6 +8,10 @@ from shapetween.geometry.polygon import polygon_area
 
 __all__ = ["outline_nodes"]
 
+#: Steps, in roots of the area, in which distances are compared. Finer, and rounding, so the unit,
+#: chooses among samples of one distance; coarser, and nodes lie beside corners.
+GRAIN = 2.0**-30
+
 
 def outline_nodes(
     source: Points, target: Points, kept: Index, *, tolerance: float, span: float
@@ -47,10 +51,10 @@ def outline_nodes(
         first, last = spans.pop()
         if last - first < 2:
             continue
-        deviation = _distances(around[:, first : last + 1]).max(axis=0)
+        deviation = _rounded(_distances(around[:, first : last + 1]).max(axis=0))
         if deviation.max() > tolerance:
             middle = first + 1 + int(deviation.argmax())
-        elif np.abs(around[:, last] - around[:, first]).max() > span:
+        elif _rounded(np.abs(around[:, last] - around[:, first])).max() > span:
             middle = (first + last) // 2
         else:
             continue
@@ -71,3 +75,7 @@ def _distances(points: Complex) -> Floats:
     square = squared(chord)
     along = (offset * chord.conj()).real / np.where(square > 0, square, 1.0)
     return np.abs(offset - np.minimum(np.maximum(along, 0.0), 1.0) * chord)
+
+
+def _rounded(distances: Floats) -> Floats:
+    return np.asarray(np.round(distances / GRAIN) * GRAIN)

@@ -9,6 +9,7 @@ from shapetween.base.arrays import Points
 from shapetween.geometry.polygon import polygon_area
 from shapetween.outline.nodes import outline_nodes
 from tests.mesh.pairs import regular, star
+from tests.strategies import rotation
 
 KEPT = np.array([0, 200])
 
@@ -56,3 +57,20 @@ def test_finer_is_more(finer: float) -> None:
     disc = regular(400)
     coarse = outline_nodes(disc, disc, KEPT, tolerance=0.1, span=10.0)
     assert len(outline_nodes(disc, disc, KEPT, tolerance=finer, span=10.0)) > len(coarse)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1 / 3, 0.7, 1e6])
+def test_of_samples_as_far_away_the_first_is_taken_in_any_unit(unit: float) -> None:
+    """A side beside the chord from which all of its samples are equally far."""
+    side = np.linspace(0, 1, 12, endpoint=False)
+    corners = np.array([[0.0, 0.0], [0.31, 0.0], [0.31, 0.2], [0.77, 0.2], [0.77, 0.0], [1.1, 0.0]])
+    corners = np.concatenate([corners, [[1.1, -0.9], [0.0, -0.9]]])
+    following = np.roll(corners, -1, axis=0)
+    points = (corners[:, None] + side[:, None] * (following - corners)[:, None]).reshape(-1, 2)
+    turned = points @ rotation(0.7).T + 0.3
+    kept = np.array([0, 60, 72, 84])
+    found = [
+        outline_nodes(u * points, u * turned, kept, tolerance=0.05, span=9.0) for u in (1.0, unit)
+    ]
+    np.testing.assert_array_equal(*found)
+    assert 24 in found[0]
