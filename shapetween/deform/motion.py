@@ -109,8 +109,8 @@ class AmbientMotion:
         corners = [points[mesh.triangles] for points in ends]
         for half in corners:
             half[mesh.inverted] = _ANY_TRIANGLE
-        (hats_a, areas_a), (hats_b, areas_b) = gradients(corners[0]), gradients(corners[1])
-        whole, body = jacobians(hats_a, corners[1]), LinearMaps.of(mesh.body.matrix)
+        (shapes_a, areas_a), (shapes_b, areas_b) = gradients(corners[0]), gradients(corners[1])
+        whole, body = jacobians(shapes_a, corners[1]), LinearMaps.of(mesh.body.matrix)
         whole = LinearMaps(
             np.where(mesh.inverted, body.a, whole.a), np.where(mesh.inverted, body.b, whole.b)
         )
@@ -128,7 +128,7 @@ class AmbientMotion:
         outer = stiffness.outside * np.minimum(1, usual / sizes)
         weights = np.where(mesh.inside, 1.0, outer) * ~mesh.inverted
         weights_a, weights_b = weights * areas_a, weights * areas_b
-        pull_a, pull_b = weights_a[:, None] * hats_a, weights_b[:, None] * hats_b
+        pull_a, pull_b = weights_a[:, None] * shapes_a, weights_b[:, None] * shapes_b
         blend = BLEND_WEIGHT * mesh.inverted[:, None, None] * _UNIFORM
         edges = _Edges.of(mesh, ends, angles, stiffness.length)
         fixed = np.zeros(len(mesh.source), dtype=bool)
@@ -136,8 +136,8 @@ class AmbientMotion:
         system = BandSystem.of(
             np.concatenate([mesh.triangles, edges.elements]),
             fixed,
-            np.concatenate([_products(pull_a, hats_a) + blend, edges.blocks]),
-            np.concatenate([_products(pull_b, hats_b) + blend, edges.blocks]),
+            np.concatenate([_products(pull_a, shapes_a) + blend, edges.blocks]),
+            np.concatenate([_products(pull_b, shapes_b) + blend, edges.blocks]),
         )
         pulls = pull_a, whole.inverse()[:, None](pull_b)
         return cls(mesh, target, ends, whole, angles, pulls, edges, system, (weights_a, weights_b))

@@ -65,12 +65,12 @@ class JacobianFit:
 
         self._pair, self._triangles = pair, triangles
         ends = [pair.source[triangles], pair.target[triangles]]
-        hats_a, hats_b = (as_points(gradients(as_complex(corners))[0]) for corners in ends)
+        shapes_a, shapes_b = (as_points(gradients(as_complex(corners))[0]) for corners in ends)
         self.jacobians = triangle_affinities(*ends)
         back = np.swapaxes(np.linalg.inv(self.jacobians), 1, 2)
-        pull_a, pull_b = weights[0, :, None, None] * hats_a, weights[1, :, None, None] * hats_b
+        pull_a, pull_b = weights[0, :, None, None] * shapes_a, weights[1, :, None, None] * shapes_b
         self._pulls = pull_a + pull_b @ back
-        blocks = pull_a @ np.swapaxes(hats_a, 1, 2) + pull_b @ np.swapaxes(hats_b, 1, 2)
+        blocks = pull_a @ np.swapaxes(shapes_a, 1, 2) + pull_b @ np.swapaxes(shapes_b, 1, 2)
         count = len(pair.source)
         rows = np.broadcast_to(triangles[:, :, None], blocks.shape).ravel()
         columns = np.broadcast_to(triangles[:, None, :], blocks.shape).ravel()

@@ -9,7 +9,7 @@ import numpy as np
 from shapetween.base.arrays import Floats
 from shapetween.timing.keyframes import keyframes
 
-__all__ = ["fitted_keyframes", "hats"]
+__all__ = ["fitted_keyframes", "hat_functions"]
 
 #: How much of the knots is spread evenly, as a share of the mean bend; the rest goes where the
 #: movement bends. With none, what hardly moves has no knots at all, and one jump takes them all.
@@ -56,8 +56,8 @@ def fitted_keyframes(samples: Floats, times: Floats, tolerance: float) -> tuple[
     while high - low > 1:
         count = (low + high) // 2
         knots = _spread(cumulated, times, count)
-        values = _fitted(flat, hats(times, knots))
-        off = (hats(times, knots) @ values - flat).reshape(samples.shape)
+        values = _fitted(flat, hat_functions(times, knots))
+        off = (hat_functions(times, knots) @ values - flat).reshape(samples.shape)
         if np.sqrt((off**2).sum(-1)).max() <= tolerance:
             best, high = (knots, values.reshape(count, *samples.shape[1:])), count
         else:
@@ -65,7 +65,7 @@ def fitted_keyframes(samples: Floats, times: Floats, tolerance: float) -> tuple[
     return best
 
 
-def hats(times: Floats, knots: Floats) -> Floats:
+def hat_functions(times: Floats, knots: Floats) -> Floats:
     """Weights of the values at knots, straight between them, at each time: (S, M)."""
     spans = np.clip(np.searchsorted(knots, times, side="right") - 1, 0, len(knots) - 2)
     share = (times - knots[spans]) / (knots[spans + 1] - knots[spans])

@@ -18,7 +18,7 @@ __all__ = ["SCENES"]
 #: Least corner sine of a face at both ends.
 LEAST_SINE = 0.12
 
-#: Largest angle of a joint either way, degrees. A rung at a joint stands at half of it.
+#: Largest angle of a joint either way, degrees. A bar at a joint stands at half of it.
 LIMIT = 80.0
 
 # The trunk: shoulders, armpits, neck and hips.
@@ -31,7 +31,7 @@ _TRUNK = np.array(
 )  # fmt: skip
 _TRUNK_QUADS = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8], [6, 7, 10, 9]]
 _TRUNK_TRIANGLES = [[5, 6, 9]]
-#: Root of each limb, right end of its rung first as it leaves, and the direction it leaves in.
+#: Root of each limb, right end of its bar first as it leaves, and the direction it leaves in.
 _ROOTS = [
     ((0, 4), (-1.0, 0.0)),
     ((7, 3), (1.0, 0.0)),
@@ -47,19 +47,19 @@ _WIDTHS = [0.085, 0.085, 0.10, 0.10, 0.14]
 
 
 def _chain(root: Points, leaving: Points, steps: Floats, angles: Floats, width: float) -> Points:
-    """Rungs of a limb, (F, n, 2, 2): its right and left ends.
+    """Bars of a limb, (F, n, 2, 2): its right and left ends.
 
     Parameters
     ----------
     root : (2,) float64
-        Middle of the first rung, which is not among the result.
+        Middle of the first bar, which is not among the result.
     leaving : (2,) float64
         Unit direction of the first step.
     steps : (n,) float64
     angles : (F, n) float64
-        How far the limb bends at the end of each step; the rung there stands half way.
+        How far the limb bends at the end of each step; the bar there stands half way.
     width : float
-        Half the length of a rung.
+        Half the length of a bar.
     """
     before = np.cumsum(angles, axis=1) - angles
     turn = rotations(before) @ leaving
@@ -71,26 +71,26 @@ def _chain(root: Points, leaving: Points, steps: Floats, angles: Floats, width: 
 def _figure_faces() -> tuple[Index, Index]:
     quads = list(_TRUNK_QUADS)
     count = len(_TRUNK)
-    for (rung, _), steps in zip(_ROOTS, _STEPS, strict=True):
+    for (bar, _), steps in zip(_ROOTS, _STEPS, strict=True):
         for _ in steps:
-            quads.append([rung[0], rung[1], count + 1, count])
-            rung, count = (count, count + 1), count + 2
+            quads.append([bar[0], bar[1], count + 1, count])
+            bar, count = (count, count + 1), count + 2
     return np.array(quads), np.array(_TRUNK_TRIANGLES)
 
 
 def _figure(joints: Floats) -> Points:
     """Vertices of the figure, (F, V, 2), for joint angles (F, 5 limbs, 2), radians."""
     parts = [np.broadcast_to(_TRUNK, (len(joints), *_TRUNK.shape))]
-    for limb, ((rung, leaving), steps, width) in enumerate(
+    for limb, ((bar, leaving), steps, width) in enumerate(
         zip(_ROOTS, _STEPS, _WIDTHS, strict=True)
     ):
         angles = np.zeros((len(joints), len(steps)))
         angles[:, 0] = joints[:, limb, 0]
         if len(steps) > 2:
             angles[:, 2] = joints[:, limb, 1]
-        root = _TRUNK[list(rung)].mean(axis=0)
-        rungs = _chain(root, np.array(leaving), np.array(steps), angles, width)
-        parts.append(rungs.reshape(len(joints), -1, 2))
+        root = _TRUNK[list(bar)].mean(axis=0)
+        bars = _chain(root, np.array(leaving), np.array(steps), angles, width)
+        parts.append(bars.reshape(len(joints), -1, 2))
     return np.concatenate(parts, axis=1)
 
 
@@ -134,10 +134,10 @@ def _strips(rng: np.random.Generator) -> Iterator[Case]:
         bends *= total / bends.sum()
         start = rng.uniform(-0.2, 0.2) * bends
         angles = _between(start, bends)
-        rungs = _chain(
+        bars = _chain(
             np.zeros(2), np.array([1.0, 0.0]), np.full(count, 1.0), angles, rng.uniform(0.5, 1.2)
         )
-        vertices = rungs.reshape(len(rungs), -1, 2)
+        vertices = bars.reshape(len(bars), -1, 2)
         first = 2 * np.arange(count - 1)
         quads = np.stack([first + 1, first + 3, first + 2, first], axis=1)
         pair = MeshPair(vertices[0], vertices[-1], quads)

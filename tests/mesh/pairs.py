@@ -80,7 +80,7 @@ def matched(a: Points, b: Points, count: int, offset: float = 0.0) -> Pair:
     return at(u, ring_a, w), at(v, ring_b, w + offset), at_joint
 
 
-def assert_sound(mesh: MatchedMesh, source: Points, target: Points) -> None:
+def assert_valid(mesh: MatchedMesh, source: Points, target: Points) -> None:
     """Check what a matched mesh promises."""
     pair, count = mesh.pair, len(mesh.nodes)
     assert (np.diff(mesh.nodes) > 0).all()

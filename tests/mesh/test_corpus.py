@@ -14,7 +14,7 @@ from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
 from shapetween.outline.matched import MatchedOutlines
 from shapetween.svg.read.reader import read_svg
-from tests.mesh.pairs import Pair, assert_sound
+from tests.mesh.pairs import Pair, assert_valid
 
 EVERY = 5  # of 43 pairs; all of them take half a minute
 
@@ -41,7 +41,7 @@ def test_real_pairs_are_covered_by_few_quads_that_move_well(pairs: list[Pair]) -
     usable, counts, covered = [], [], []
     for source, target, corners in pairs:
         mesh = mesh_matched(source, target, corners)
-        assert_sound(mesh, source, target)
+        assert_valid(mesh, source, target)
         both = np.stack([mesh.pair.source, mesh.pair.target])[:, mesh.pair.quads]
         good = face_figures(both).usable
         usable += good.tolist()

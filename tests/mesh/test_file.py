@@ -102,7 +102,7 @@ def bend(points: Points) -> Points:
     return np.stack([x + 0.2 * np.sin(y), y + 0.2 * np.sin(x)], axis=1)
 
 
-def test_a_sound_mesh_tells_its_boundary() -> None:
+def test_a_valid_mesh_tells_its_boundary() -> None:
     target = bend(VERTICES)
     cycle = check_mesh(pair_of(VERTICES, target), VERTICES[BORDER], target[BORDER])
     first = int(np.flatnonzero(cycle == 0)[0])

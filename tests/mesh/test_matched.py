@@ -10,7 +10,7 @@ from shapetween.mesh import MatchedMesh, mesh_matched
 from shapetween.mesh.quality import face_figures
 from tests.mesh.pairs import (
     Pair,
-    assert_sound,
+    assert_valid,
     clockwise,
     comb,
     matched,
@@ -46,11 +46,11 @@ def usable_share(mesh: MatchedMesh, source: Points, target: Points) -> float:
 
 
 @pytest.mark.parametrize("seed", range(30))
-def test_random_polygons_always_have_a_sound_mesh(seed: int) -> None:
+def test_random_polygons_always_have_a_valid_mesh(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a, b = (untangled(rng, int(rng.integers(3, 26))) for _ in range(2))
     source, target, corners = matched(a, b, int(rng.choice([16, 64, 160])), rng.random())
-    assert_sound(mesh_matched(source, target, corners), source, target)
+    assert_valid(mesh_matched(source, target, corners), source, target)
 
 
 @pytest.mark.parametrize(
@@ -68,17 +68,17 @@ def test_random_polygons_always_have_a_sound_mesh(seed: int) -> None:
         ("triangle", "square"),
     ],
 )
-def test_unlike_shapes_have_a_sound_mesh(a: str, b: str) -> None:
+def test_unlike_shapes_have_a_valid_mesh(a: str, b: str) -> None:
     source, target, corners = matched(SHAPES[a], SHAPES[b], 256, 0.37)
-    assert_sound(mesh_matched(source, target, corners), source, target)
+    assert_valid(mesh_matched(source, target, corners), source, target)
 
 
 @settings(max_examples=25)
 @given(st.integers(0, 2**32 - 1), st.integers(3, 9), st.integers(3, 9), st.floats(0, 1))
-def test_few_samples_have_a_sound_mesh(seed: int, n: int, m: int, offset: float) -> None:
+def test_few_samples_have_a_valid_mesh(seed: int, n: int, m: int, offset: float) -> None:
     rng = np.random.default_rng(seed)
     source, target, corners = matched(untangled(rng, n), untangled(rng, m), 8, offset)
-    assert_sound(mesh_matched(source, target, corners), source, target)
+    assert_valid(mesh_matched(source, target, corners), source, target)
 
 
 def test_squares_are_one_quad() -> None:
@@ -102,10 +102,10 @@ def strip(bend: float, width: float = 0.12) -> Points:
     return clockwise(np.concatenate([axis - normal, (axis + normal)[::-1]]))
 
 
-def test_a_bending_limb_is_a_short_ladder() -> None:
+def test_a_bending_limb_is_a_few_quads_across() -> None:
     source, target = strip(0.0), strip(1.6)
     mesh = mesh_matched(source, target)
-    assert_sound(mesh, source, target)
+    assert_valid(mesh, source, target)
     assert len(mesh.pair.triangles) == 0
     assert 2 <= len(mesh.pair.quads) <= 8
     assert len(mesh.nodes) == 2 * len(mesh.pair.quads) + 2
@@ -138,7 +138,7 @@ def test_the_start_of_the_samples_does_not_matter(unlike: Pair, shift: int) -> N
     mesh = mesh_matched(*unlike)
     source, target = (np.roll(points, -shift, axis=0) for points in unlike[:2])
     turned = mesh_matched(source, target, np.roll(unlike[2], -shift))
-    assert_sound(turned, source, target)
+    assert_valid(turned, source, target)
     np.testing.assert_array_equal(np.sort((turned.nodes + shift) % len(source)), mesh.nodes)
 
 
@@ -156,14 +156,14 @@ def test_turn_place_and_unit_do_not_matter(unlike: Pair, scale: float) -> None:
 def test_about_as_many_quads_as_asked_for(wanted: int) -> None:
     source, target, corners = matched(star(6, 0.6), regular(80), 512, 0.0)
     mesh = mesh_matched(source, target, corners, quads=wanted)
-    assert_sound(mesh, source, target)
+    assert_valid(mesh, source, target)
     assert abs(len(mesh.pair.quads) - wanted) <= 0.2 * wanted
 
 
-def test_many_quads_are_rungs_of_a_limb() -> None:
+def test_many_quads_lie_across_a_limb() -> None:
     source, target = strip(0.3), strip(1.2)
     mesh = mesh_matched(source, target, quads=40)
-    assert_sound(mesh, source, target)
+    assert_valid(mesh, source, target)
     assert len(mesh.pair.quads) == 40
     assert len(mesh.pair.triangles) == 0
     size = shapely.area(shapely.polygons(mesh.pair.source[mesh.pair.quads]))

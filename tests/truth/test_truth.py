@@ -66,10 +66,10 @@ def test_limbs_keep_their_lengths(family: str) -> None:
     for case in cases(family):
         frames = np.concatenate([case.pair.source[None], case.vertices, case.pair.target[None]])
         first = 0 if family.startswith("strip") else 11  # the trunk comes first
-        rungs = frames[:, first:].reshape(len(frames), -1, 2, 2)
-        widths = np.linalg.norm(rungs[:, :, 1] - rungs[:, :, 0], axis=-1)
+        bars = frames[:, first:].reshape(len(frames), -1, 2, 2)
+        widths = np.linalg.norm(bars[:, :, 1] - bars[:, :, 0], axis=-1)
         np.testing.assert_allclose(widths, np.broadcast_to(widths[0], widths.shape), atol=1e-12)
-        middles = rungs.mean(axis=2)
+        middles = bars.mean(axis=2)
         count = 5 if first else middles.shape[1]
         steps = np.linalg.norm(np.diff(middles[:, :count], axis=1), axis=-1)
         np.testing.assert_allclose(steps, np.broadcast_to(steps[0], steps.shape), atol=1e-12)
