@@ -72,5 +72,5 @@ def test_of_samples_as_far_away_the_first_is_taken_in_any_unit(unit: float) -> N
     found = [
         outline_nodes(u * points, u * turned, kept, tolerance=0.05, span=9.0) for u in (1.0, unit)
     ]
-    np.testing.assert_array_equal(*found)
+    np.testing.assert_array_equal(found[0], found[1])
     assert 24 in found[0]

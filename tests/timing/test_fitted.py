@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats
-from shapetween.timing.fitted import fitted_keyframes, hats
+from shapetween.timing.fitted import fitted_keyframes, hat_functions
 from shapetween.timing.keyframes import keyframes
 
 TIMES = np.linspace(0, 1, 121)
@@ -19,7 +19,7 @@ def turning(turns: float, points: int = 5) -> Floats:
 
 
 def off(samples: Floats, knots: Floats, values: Floats) -> float:
-    shown = hats(TIMES, knots) @ values.reshape(len(values), -1)
+    shown = hat_functions(TIMES, knots) @ values.reshape(len(values), -1)
     gap = (shown - samples.reshape(len(samples), -1)).reshape(samples.shape)
     return float(np.sqrt((gap**2).sum(-1)).max())
 
