@@ -250,6 +250,7 @@ class Joints:
         """Turn handles about their joints, in place, until the kink is the ends' own mean.
 
         With a handle that grows from nothing, it only comes within the first angle of that.
+        Nothing leaps where handles turn evenly.
         """
         if not len(self._before):
             return
@@ -259,11 +260,15 @@ class Joints:
         excess = np.angle(leaving * reaching.conj() * np.exp(-1j * wanted))
         fade = np.clip((LEFT_ALONE - np.abs(excess)) / (LEFT_ALONE - REMOVED), 0.0, 1.0)
         room = np.clip(SHARPEST - np.abs(wanted), 0.0, REMOVED)
-        over = excess - np.clip(excess, -room, room)
+        # Past that it comes back, to nothing at half a turn, where either way round is as far: no
+        # handle may leap from one to the other. And one handle alone is turned there.
+        back = room * (np.pi - np.abs(excess)) / (np.pi - room)
+        alone = np.clip(np.abs(excess) / REMOVED - 1.0, 0.0, 1.0) * (self._shares > 0).all(axis=0)
+        over = excess - np.copysign(np.minimum(np.abs(excess), back), excess)
         excess = np.where(self._slack, over, excess * fade * fade * (3 - 2 * fade))
         for piece, end, handle, share in (
-            (self._before, 3, 2, self._shares[0]),
-            (self._after, 0, 1, -self._shares[1]),
+            (self._before, 3, 2, self._shares[0] + alone * self._shares[1]),
+            (self._after, 0, 1, (alone - 1) * self._shares[1]),
         ):
             pivot = curves[:, piece, end]
             arm = curves[:, piece, handle] - pivot

@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Affine, Complex, Curves, Floats, Points
 from shapetween.geometry.bezier import end_tangents, flatten
-from shapetween.geometry.linearmaps import as_complex
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, rotations
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
-from shapetween.outline.carry import Carrier, affine_between
+from shapetween.outline.carry import Carrier, Joints, affine_between
 from shapetween.outline.matched import MatchedOutlines
 from tests.match.shapes import disc, polygon, rounded, star
 from tests.strategies import affine_maps, rotation
@@ -180,6 +180,29 @@ def test_a_disc_that_turns_stays_a_disc() -> None:
     turned = a @ np.swapaxes(rotations(T * np.pi), 1, 2)
     found = flatten(carrier.curves(turned, T), 8)
     np.testing.assert_allclose(np.linalg.norm(found[1:-1], axis=-1), 1, atol=1e-3)
+
+
+@pytest.mark.parametrize("slack", [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)])
+@pytest.mark.parametrize("bend", [-150.0, -10.0, 15.0, 100.0, 170.0])
+@pytest.mark.parametrize("other", [-120.0, 5.0, 60.0])
+def test_no_handle_leaps_where_one_turns_all_the_way_round(
+    slack: tuple[float, float], bend: float, other: float
+) -> None:
+    """A joint of two curves, one of which turns about it, at any time and with any kinks."""
+
+    def pair(angle: float, handles: tuple[float, float]) -> Curves:
+        way = as_points(np.exp(1j * np.deg2rad(angle)))
+        first = np.array([[-3.0, 0], [-2, 0.5], [-handles[0], 0], [0, 0]])
+        return np.stack([first, np.stack([0 * way, handles[1] * way, 2 * way, 3 * way])])
+
+    joints = Joints.of(pair(bend, slack), pair(other, (1.0, 1.0)), closed=False)
+    turns = np.linspace(0.0, 360.0, 3601)
+    curves = np.stack([pair(turn, (0.5, 0.5)) for turn in turns])
+    for t in (0.0, 0.31, 0.5, 0.77):
+        moved = as_complex(curves.copy())
+        joints.smooth(moved, np.full(len(turns), t))
+        steps = np.abs(np.diff(moved, axis=0)).max()
+        assert steps <= 6 * 3 * np.deg2rad(0.1)
 
 
 @settings(max_examples=20)
