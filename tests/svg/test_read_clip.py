@@ -33,6 +33,19 @@ def test_a_cut_circle_is_half_of_it_in_few_curves() -> None:
     assert area(drawing) == pytest.approx(np.pi * 30**2 / 2, rel=1e-3)
 
 
+def test_corners_of_a_clip_are_each_as_round_as_is_said() -> None:
+    body = '<rect width="100" height="50" style="clip-path:inset(0 round {})"/>'
+    full = 100 * 50
+
+    def missing(radii: str) -> float:
+        return (full - area(read(body.format(radii)))) / (1 - np.pi / 4)
+
+    assert missing("10px 0 20px 0") == pytest.approx(10**2 + 20**2, rel=1e-2)
+    assert missing("10px / 20px") == pytest.approx(4 * 200, rel=1e-2)
+    # Radii that meet are made smaller.
+    assert missing("100px") == pytest.approx(4 * 25**2, rel=1e-2)
+
+
 def test_a_hidden_shape_is_gone() -> None:
     with pytest.raises(InputError):
         read(HALF + '<circle cx="80" cy="50" r="20" clip-path="url(#c)"/>')

@@ -1,6 +1,6 @@
 """Colours made from colours: ``color-mix()`` and relative colours.
 
-.. [Col5] *CSS Color Module Level 5*, sections 3 and 4.
+.. [Col4] *CSS Color Module Level 4*. .. [Col5] *CSS Color Module Level 5*, sections 3 and 4.
 """
 
 import math
@@ -97,16 +97,20 @@ def _between(a: Colour, b: Colour, share: float, space: str, longer: str, kept: 
     mix = weights[0] * one + weights[1] * two
     if space in HUES:
         at = HUES[space]
-        start, end = one[at], two[at]
-        turn = (end - start + 180) % 360 - 180
-        if longer == "longer" and turn:
-            turn -= math.copysign(360, turn)
-        elif longer == "increasing" and turn < 0:
-            turn += 360
-        elif longer == "decreasing" and turn > 0:
-            turn -= 360
-        mix[at] = start + share * turn
+        start = one[at] % 360
+        mix[at] = start + share * _turn(two[at] % 360 - start, longer)
     return _colour(from_space(space, mix), alpha * kept)
+
+
+def _turn(turn: float, way: str) -> float:
+    """How far a hue runs where the other one is so many degrees on ([Col4]_, section 12.4)."""
+    if way == "increasing":
+        return turn + 360 if turn < 0 else turn
+    if way == "decreasing":
+        return turn - 360 if turn > 0 else turn
+    if way == "longer":
+        return turn - 360 if 0 < turn < 180 else turn + 360 if -180 < turn <= 0 else turn
+    return turn - 360 if turn > 180 else turn + 360 if turn < -180 else turn
 
 
 def relative(name: str, arguments: Sequence[Any], parse: Parse) -> Colour | None:

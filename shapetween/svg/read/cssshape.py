@@ -5,7 +5,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import tinycss2
@@ -28,6 +28,9 @@ MOST_POINTS = 10_000
 _BOXES = frozenset(
     {"border-box", "padding-box", "content-box", "margin-box", "fill-box", "stroke-box", "view-box"}
 )
+_T = TypeVar("_T")
+
+_CORNERS = {(x, y) for x in ("left", "right") for y in ("top", "bottom")}
 _WORDS = {"left": 0.0, "top": 0.0, "center": 0.5, "right": 1.0, "bottom": 1.0}
 
 
@@ -176,7 +179,17 @@ def _ellipse(
 
 
 def _place(words: list[str], box: Box, viewport: Viewport) -> tuple[float, float] | None:
-    """A position of one or two words."""
+    """A position of one or two words, or of two edges and how far each is from there."""
+    if len(words) == 4 and words[0] in _WORDS and words[2] in _WORDS:
+        if words[0] in ("top", "bottom"):
+            words = words[2:] + words[:2]
+        (edge, one), (other, two) = words[:2], words[2:]
+        across, down = viewport.length(one, box.width), viewport.length(two, box.height)
+        if across is None or down is None or (edge, other) not in _CORNERS:
+            return None
+        x = box.x + (across if edge == "left" else box.width - across)
+        y = box.y + (down if other == "top" else box.height - down)
+        return x, y
     if len(words) == 1:
         words = ["center", *words] if words[0] in ("top", "bottom") else [*words, "center"]
     if len(words) != 2:
@@ -199,15 +212,19 @@ def _edges(tokens: list[Any]) -> tuple[list[Any], list[Any]]:
     return tokens[:at], tokens[at + 1 :]
 
 
+def _four(values: list[_T]) -> list[_T]:
+    """What 1 to 4 values say of four sides or corners, as CSS has it."""
+    return {1: values * 4, 2: values * 2, 3: [*values, *values[1:2]], 4: values}[len(values)]
+
+
 def _inset(
     parts: list[list[Any]], box: Box, viewport: Viewport, most: int
 ) -> tuple[Subpath, ...] | None:
     offsets, radii = _edges(parts[0]) if len(parts) == 1 else ([], [])
     if not 1 <= len(offsets) <= 4:
         return None
-    four = {1: offsets * 4, 2: offsets * 2, 3: [*offsets, *offsets[1:2]], 4: offsets}[len(offsets)]
     sizes = (box.height, box.width, box.height, box.width)
-    found = _lengths(four, sizes, viewport)
+    found = _lengths(_four(offsets), sizes, viewport)
     if found is None:
         return None
     top, right, bottom, left = found
@@ -255,18 +272,33 @@ def _rect(
     viewport: Viewport,
     box: Box,
 ) -> tuple[Subpath, ...]:
-    """A rectangle, all its corners round alike: of radii that differ the first is taken."""
-    values = {"x": f"{x!r}", "y": f"{y!r}", "width": f"{width!r}", "height": f"{height!r}"}
-    if radii:
-        of = Viewport(box.width, box.height, viewport.font_size, viewport.root_font_size)
-        slash = next((k for k, token in enumerate(radii) if token == "/"), None)
-        rx = of.length(radii[0].serialize(), box.width)
-        ry = of.length(
-            radii[0 if slash is None else min(slash + 1, len(radii) - 1)].serialize(), box.height
+    """A rectangle, its corners as round as 1 to 4 radii say, and as many down after a slash."""
+    if width <= 0 or height <= 0:
+        return ()
+    of = Viewport(box.width, box.height, viewport.font_size, viewport.root_font_size)
+    words = [token.serialize() for token in radii]
+    slash = words.index("/") if "/" in words else len(words)
+    rx, ry = (
+        [max(of.length(word, size) or 0.0, 0.0) for word in given[:4]] or [0.0]
+        for given, size in (
+            (words[:slash], box.width),
+            (words[slash + 1 :] or words[:slash], box.height),
         )
-        if rx is not None and ry is not None:
-            values |= {"rx": f"{rx!r}", "ry": f"{ry!r}"}
-    return basic_shape("rect", values, viewport, 10).subpaths
+    )
+    rx, ry = _four(rx), _four(ry)
+    sums = [(rx[0] + rx[1], width), (rx[2] + rx[3], width)]
+    sums += [(ry[0] + ry[3], height), (ry[1] + ry[2], height)]
+    # Radii that meet are made smaller, all by the same share.
+    share = min([1.0, *(side / both for both, side in sums if both > 0)])
+    a, b, c, d = ((share * across, share * down) for across, down in zip(rx, ry, strict=True))
+    right, bottom = x + width, y + height
+    text = (
+        f"M{x + a[0]!r} {y!r}H{right - b[0]!r}A{b[0]!r} {b[1]!r} 0 0 1 {right!r} {y + b[1]!r}"
+        f"V{bottom - c[1]!r}A{c[0]!r} {c[1]!r} 0 0 1 {right - c[0]!r} {bottom!r}"
+        f"H{x + d[0]!r}A{d[0]!r} {d[1]!r} 0 0 1 {x!r} {bottom - d[1]!r}"
+        f"V{y + a[1]!r}A{a[0]!r} {a[1]!r} 0 0 1 {x + a[0]!r} {y!r}Z"
+    )
+    return parse_path_data(text, 100).subpaths
 
 
 _SHAPES = {

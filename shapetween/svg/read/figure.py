@@ -8,7 +8,7 @@ import numpy as np
 
 from shapetween.boolean.area import hidden_share
 from shapetween.boolean.chords import chords_of
-from shapetween.geometry.affine import mapped
+from shapetween.geometry.affine import inverted, mapped, mean_scale, stretch
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
@@ -17,6 +17,7 @@ from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
+from shapetween.svg.read.stroked import stroke_rings
 from shapetween.svg.read.subpaths import in_range, subpaths_of
 from shapetween.svg.read.text import letters_of
 from shapetween.svg.read.units import number
@@ -26,6 +27,12 @@ __all__ = ["rings_of", "shapes_of"]
 #: Share of its length up to which a stroke inside of what it surrounds is left out: ends of
 #: outlines that overlap a little. Lower and fill and stroke of such shapes part for nothing.
 HIDDEN = 0.05
+
+#: Greatest over least scale up to which a stroke keeps its one width; more shows.
+MOST_STRETCH = 1.05
+
+#: Greatest over least scale from which on all is flat and no outline can be told.
+FLAT = 1e6
 
 
 def shapes_of(document: Document, placed: Placed) -> list[Shape]:
@@ -84,6 +91,10 @@ def _painted(
     for layer in layers:
         rings = rings_of(document, placed, subpaths, layer)
         parts = [(rings, layer)]
+        if layer.stroke is not None and _is_uneven(placed):
+            outlined = _outlined(document, placed, rings, layer)
+            shapes += [Shape(found, own, name) for found, own in outlined if found]
+            continue
         if layer.fill is None and layer.stroke is not None:
             parts = unfolded(rings, layer)
             if layer.stroke.dashes and len(layers) > 1:
@@ -102,6 +113,8 @@ def _layers(
     apart = [replace(style, stroke=None), replace(style, fill=None)]
     if _stroke_first(placed):
         return apart[::-1]
+    if _is_uneven(placed):
+        return apart
     rings = rings_of(document, placed, subpaths, style)
     # What encloses nothing has no fill, and would count as an area; dashes start where the line
     # does, which an area has no need to keep.
@@ -113,6 +126,42 @@ def _layers(
         if hidden_share(lines, style.fill_rule) > HIDDEN:
             return apart
     return [style]
+
+
+def _is_uneven(placed: Placed) -> bool:
+    """Whether its transform makes a stroke wider one way than another."""
+    if placed.frame.properties.get("vector-effect") == "non-scaling-stroke":
+        return False
+    return stretch(placed.frame.matrix) > MOST_STRETCH
+
+
+def _outlined(
+    document: Document, placed: Placed, rings: Sequence[Outline], style: Style
+) -> list[tuple[tuple[Outline, ...], Style]]:
+    """A stroke under an uneven transform as the area that it paints."""
+    matrix, stroke = placed.frame.matrix, style.stroke
+    assert stroke is not None  # it is strokes that are outlined
+    if stretch(matrix) < FLAT:
+        back, scale = inverted(matrix), mean_scale(matrix)
+        own = replace(
+            stroke,
+            width=stroke.width / scale,
+            dashes=tuple(dash / scale for dash in stroke.dashes),
+            dash_offset=stroke.dash_offset / scale,
+        )
+        found = stroke_rings([ring.transformed(back) for ring in rings], own)
+        if found is not None:
+            area = replace(
+                style,
+                fill=stroke.paint,
+                stroke=None,
+                fill_rule="nonzero",
+                texture=None,
+                pattern=None,
+            )
+            return [(tuple(ring.transformed(matrix) for ring in found), area)]
+    document.losses.add("a stroke under an uneven scale was given its mean width", placed.name)
+    return [(tuple(rings), style)]
 
 
 def rings_of(

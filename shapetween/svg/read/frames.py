@@ -33,6 +33,8 @@ class Layer:
     clip : Element, str, (4, 2) float64 or None
         The ``clipPath`` that it names, a shape as style writes it, or the corners of a nested
         viewport in the drawing's user units.
+    mask_mode : str
+        A ``mask-mode``.
     """
 
     element: Element
@@ -43,6 +45,7 @@ class Layer:
     filters: str = "none"
     mask: Element | None = None
     clip: Element | str | Points | None = None
+    mask_mode: str = "match-source"
 
     @property
     def says_something(self) -> bool:

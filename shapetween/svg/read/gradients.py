@@ -5,13 +5,17 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import pairwise
 from typing import Literal
 from xml.etree.ElementTree import Element
+
+import numpy as np
 
 from shapetween.base.arrays import Affine
 from shapetween.geometry.affine import affine, compose
 from shapetween.model.drawing import Box
 from shapetween.model.paint import Colour, Gradient, Paint, Stop
+from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
 from shapetween.svg.read.colours import parse_paint
 from shapetween.svg.read.csstransform import css_transform
 from shapetween.svg.read.document import Document
@@ -20,7 +24,7 @@ from shapetween.svg.read.transform import parse_transform
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.xml import local_name
 
-__all__ = ["GRADIENTS", "colour_of", "gradient", "with_alpha"]
+__all__ = ["GRADIENTS", "colour_of", "gradient", "is_in_box", "with_alpha"]
 
 GRADIENTS = frozenset({"linearGradient", "radialGradient"})
 
@@ -29,6 +33,9 @@ MOST_REFERENCES = 16
 
 #: Stops of a gradient that are read; more cannot be told apart.
 MOST_STOPS = 100
+
+#: Parts in which a way through linear light is written. Fewer and its bend is seen as bands.
+LIGHT_STEPS = 8
 
 _BLACK = Colour()
 
@@ -83,7 +90,7 @@ def gradient(
         values.update(link.items())
     style = document.style(element)
 
-    in_box = values.get("gradientUnits", "objectBoundingBox").strip() != "userSpaceOnUse"
+    in_box = is_in_box(document, element)
     if in_box:
         if box.width <= 0 or box.height <= 0:
             return None
@@ -108,11 +115,22 @@ def gradient(
         kind = "radial"
         points = _radial(values, viewport)
         flat = points[2] <= 0
+        inner = _length(values, "fr", "0%", viewport, viewport.diagonal)
+        if inner > 0 and not flat:
+            if inner >= points[2]:
+                document.losses.add("a gradient whose fr is not less than its r was left out")
+                return None
+            if values.get("spreadMethod", "pad").strip() != "pad":
+                document.losses.add("a repeated gradient was drawn as if its fr were 0")
+            else:
+                points, stops = _from_apex(points, stops, inner)
     else:
         points = _linear(values, viewport)
         flat = points[:2] == points[2:]
     if flat:
         return stops[-1].colour
+    if style.get("color-interpolation") == "linearrgb":
+        stops = _through_light(stops)
     spread = values.get("spreadMethod", "pad").strip()
     return Gradient(
         kind,
@@ -121,6 +139,40 @@ def gradient(
         stops,
         "reflect" if spread == "reflect" else "repeat" if spread == "repeat" else "pad",
     )
+
+
+def is_in_box(document: Document, element: Element) -> bool:
+    """Whether a gradient is given in shares of the box of what it paints."""
+    units = [link.get("gradientUnits") for link in _chain(document, element)]
+    named = next((unit for unit in units if unit is not None), "objectBoundingBox")
+    return named.strip() != "userSpaceOnUse"
+
+
+def _from_apex(
+    points: tuple[float, ...], stops: tuple[Stop, ...], inner: float
+) -> tuple[tuple[float, ...], tuple[Stop, ...]]:
+    """A radial gradient from a circle on, as the same cone of colours from its apex on."""
+    cx, cy, r, fx, fy = points
+    start = -inner / (r - inner)  # the share at which the circle is a point
+    moved = tuple(replace(stop, offset=(stop.offset - start) / (1 - start)) for stop in stops)
+    return (cx, cy, r, fx + start * (cx - fx), fy + start * (cy - fy)), moved
+
+
+def _through_light(stops: tuple[Stop, ...]) -> tuple[Stop, ...]:
+    """The stops with others between them where the way is straight in linear light."""
+    found = list(stops[:1])
+    for first, last in pairwise(stops):
+        a, b = (
+            srgb_to_linear(np.array([c.red, c.green, c.blue])) for c in (first.colour, last.colour)
+        )
+        for k in range(1, LIGHT_STEPS if last.offset > first.offset else 1):
+            t = k / LIGHT_STEPS
+            red, green, blue = linear_to_srgb((1 - t) * a + t * b).tolist()
+            alpha = (1 - t) * first.colour.alpha + t * last.colour.alpha
+            offset = (1 - t) * first.offset + t * last.offset
+            found.append(Stop(offset, Colour(red, green, blue, alpha)))
+        found.append(last)
+    return tuple(found)
 
 
 def _chain(document: Document, element: Element) -> list[Element]:

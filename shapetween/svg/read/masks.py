@@ -19,7 +19,7 @@ from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Mask
 from shapetween.model.paint import Colour, Gradient, Paint
 from shapetween.svg.read.clip import CLIP_WORK, Clipper, Region
-from shapetween.svg.read.document import Document
+from shapetween.svg.read.document import Document, label
 from shapetween.svg.read.frames import Layer, Placed
 from shapetween.svg.read.walk import object_box, walk
 from shapetween.svg.read.xml import local_name
@@ -68,7 +68,7 @@ class Masker:
         box = object_box(self._document, layer.element, layer.frame) if any(in_box) else None
         if any(in_box) and box is None:
             box = Box(0.0, 0.0, 0.0, 0.0)
-        key = (element, layer.frame.matrix.tobytes(), box)
+        key = (element, layer.frame.matrix.tobytes(), box, layer.mask_mode)
         if key not in self._found:
             if element in self._within or len(self._within) >= MOST_NESTED:
                 self._document.losses.add("a mask that masks itself was left out")
@@ -104,7 +104,13 @@ class Masker:
             for each in walk(self._document, child, frame)
         )
         shapes = self._painted(placed)
-        if properties.get("mask-type", "luminance") == "alpha":
+        kind = layer.mask_mode
+        if kind == "match-source":
+            kind = properties.get("mask-type", "luminance")
+        if kind == "luminance" and properties.get("color-interpolation") == "linearrgb":
+            what = "the brightness of a mask that asks for linearRGB was taken as sRGB"
+            self._document.losses.add(what, label(element))
+        if kind == "alpha":
             shapes = [_whitened(shape) for shape in shapes]
         region = self._area(shapes)
         if region is not None:

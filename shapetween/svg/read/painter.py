@@ -7,7 +7,8 @@ its outline. The rest becomes groups that the shape is in.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -53,8 +54,12 @@ class Painter:
             for each in (marked, *markers_of(self._document, marked))
             for shape in shapes_of(self._document, each)
         ]
-        veils = self._veils(whole)
-        return [part for shape, layers in whole for part in self._finished(shape, layers, veils)]
+        veils, blended = self._veils(whole), _Blended.of(whole)
+        return [
+            part
+            for shape, layers in whole
+            for part in self._finished(shape, layers, veils, blended)
+        ]
 
     @staticmethod
     def _veils(whole: Sequence[tuple[Shape, tuple[Layer, ...]]]) -> set[int]:
@@ -66,7 +71,9 @@ class Painter:
                     boxes.setdefault(id(layer), []).append(shape_box(shape))
         return {key for key, found in boxes.items() if _overlapping(found)}
 
-    def _finished(self, shape: Shape, layers: Sequence[Layer], veils: set[int]) -> list[Shape]:
+    def _finished(
+        self, shape: Shape, layers: Sequence[Layer], veils: set[int], blended: _Blended
+    ) -> list[Shape]:
         """A shape with all that its layers do to it."""
         regions: list[Region] = []
         groups: list[Group] = []  # the innermost first
@@ -81,14 +88,17 @@ class Painter:
             else:
                 cut.append(mask)
             found = [region for region in cut if region is not None]
-            if groups:  # what is done inside may reach beyond the shape
+            isolated = id(layer) in blended.layers
+            filtered = any(group.filter is not None for group in groups)
+            if filtered or (isolated and id(layer) in blended.filtered):  # may reach beyond it
                 soft += tuple(self._clipper.mask(region) for region in found)
             else:
                 regions += found
-            veiled = layer.opacity < 1 and (id(layer) in veils or bool(groups) or bool(soft))
+            veiled = layer.opacity < 1 and (
+                id(layer) in veils or isolated or bool(groups) or bool(soft)
+            )
             if layer.opacity < 1 and not veiled:
                 opacity *= layer.opacity
-            isolated = layer.isolated and any(group.blend != "normal" for group in groups)
             if soft or veiled or layer.blend != "normal" or isolated:
                 groups += self._grouped(layer, soft, veiled, isolated)
         groups.reverse()
@@ -122,6 +132,35 @@ def shape_box(shape: Shape) -> Floats:
     boxes = np.stack([ring.box for ring in shape.rings])
     margin = shape.style.stroke.width / 2 if shape.style.stroke else 0.0
     return np.stack([boxes[:, 0].min(axis=0) - margin, boxes[:, 1].max(axis=0) + margin])
+
+
+@dataclass(frozen=True, slots=True)
+class _Blended:
+    """Layers, by their ids, that are one group as a whole.
+
+    Attributes
+    ----------
+    layers : set of int
+        Those within which something blends: it sees only what is in it.
+    filtered : set of int
+        Those within which there is a filter.
+    """
+
+    layers: set[int]
+    filtered: set[int]
+
+    @classmethod
+    def of(cls, whole: Sequence[tuple[Shape, tuple[Layer, ...]]]) -> _Blended:
+        """Those that some shapes are in."""
+        layers: set[int] = set()
+        filtered: set[int] = set()
+        for _, row in whole:
+            for outer, inner in pairwise(row):
+                if inner.blend != "normal":
+                    layers.add(id(outer))
+            last = max((k for k, layer in enumerate(row) if layer.filters != "none"), default=0)
+            filtered.update(id(layer) for layer in row[:last])
+        return cls(layers, filtered)
 
 
 def _overlapping(boxes: list[Floats]) -> bool:

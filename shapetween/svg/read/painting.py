@@ -6,13 +6,13 @@ from typing import Literal, cast
 
 import numpy as np
 
-from shapetween.geometry.affine import mean_scale, stretch
+from shapetween.geometry.affine import mean_scale
 from shapetween.geometry.bezier import curve_lengths
 from shapetween.model.paint import Colour, FillRule, Paint, Pattern, Stroke, Style, Texture
 from shapetween.svg.read.colours import CURRENT, parse_paint
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Frame, Placed
-from shapetween.svg.read.gradients import GRADIENTS, colour_of, gradient, with_alpha
+from shapetween.svg.read.gradients import GRADIENTS, colour_of, gradient, is_in_box, with_alpha
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.patterns import pattern_of
 from shapetween.svg.read.placing import KEPT
@@ -23,9 +23,6 @@ from shapetween.svg.read.xml import local_name
 from shapetween.svg.textures import pattern_texture, picture_texture
 
 __all__ = ["fill_rule", "picture_style", "style_of"]
-
-#: Greatest over least scale up to which a stroke keeps its one width without a warning; more shows.
-MOST_STRETCH = 1.05
 
 #: Most numbers of a dash pattern that are read; drawings have a handful.
 MOST_DASHES = 1000
@@ -108,10 +105,13 @@ def _paint(
     if value.reference:
         server = document.ids.get(value.reference)
         kind = "" if server is None else local_name(server)
-        if server is not None and kind in GRADIENTS:
-            paint = gradient(
-                document, server, bounds(subpaths), frame.matrix, frame.viewport, alpha
-            )
+        box = bounds(subpaths)
+        flat = box.width <= 0 or box.height <= 0
+        if server is not None and kind in GRADIENTS and flat and is_in_box(document, server):
+            if value.colour is None:  # what has no box is not painted, as [SVG2]_ says
+                return None
+        elif server is not None and kind in GRADIENTS:
+            paint = gradient(document, server, box, frame.matrix, frame.viewport, alpha)
             return None if isinstance(paint, Colour) and paint.alpha == 0 else paint
         if kind == "pattern":
             assert server is not None  # it has a name
@@ -170,8 +170,6 @@ def _stroke(
         scale = frame.pixel
     else:
         scale = mean_scale(frame.matrix)
-        if stretch(frame.matrix) > MOST_STRETCH:
-            document.losses.add("a stroke under an uneven scale was given its mean width")
     cap = properties.get("stroke-linecap", "butt")
     join = properties.get("stroke-linejoin", "miter")
     limit = number(properties.get("stroke-miterlimit"))

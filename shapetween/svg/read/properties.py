@@ -18,6 +18,7 @@ INHERITED = frozenset(
     {
         "clip-rule",
         "color",
+        "color-interpolation",
         "color-interpolation-filters",
         "color-scheme",
         "direction",
@@ -86,11 +87,30 @@ OWN = frozenset(
 #: Properties with colours or paints.
 PAINTS = frozenset({"fill", "stroke", "color", "stop-color", "flood-color", "lighting-color"})
 
+#: Properties that are not read here, and that style sheets ask for before they use them.
+BROWSERS = frozenset(
+    {
+        "accent-color", "all", "animation", "animation-timeline", "appearance", "aspect-ratio",
+        "backdrop-filter", "background", "background-clip", "background-color", "bottom",
+        "box-shadow", "contain", "container-type", "content-visibility", "flex", "float", "gap",
+        "grid", "grid-template-columns", "height", "inset", "isolation", "left", "margin",
+        "mask-image", "mix-blend-mode", "object-fit", "offset-path", "overscroll-behavior",
+        "padding", "position", "right", "scroll-behavior", "text-wrap", "top", "transition",
+        "user-select", "width", "will-change", "zoom",
+    }
+)  # fmt: skip
+
+#: How a mask may be taken, whatever it says itself.
+MASK_MODES = frozenset({"alpha", "luminance", "match-source"})
+
+_URL = re.compile(r"url\([^)]*\)", re.IGNORECASE)
+
 _WIDE = frozenset({"inherit", "initial", "unset", "revert", "revert-layer"})
 
 #: Properties that are one word of a few.
 WORDS: dict[str, frozenset[str]] = {
     "clip-rule": frozenset({"nonzero", "evenodd"}),
+    "color-interpolation": frozenset({"auto", "srgb", "linearrgb"}),
     "color-interpolation-filters": frozenset({"auto", "srgb", "linearrgb"}),
     "direction": frozenset({"ltr", "rtl"}),
     "fill-rule": frozenset({"nonzero", "evenodd"}),
@@ -162,8 +182,16 @@ _FONT = re.compile(
 )
 
 
+def is_supported(name: str, value: str) -> bool:
+    """Whether ``@supports`` is to say yes: a property that browsers know, with such a value."""
+    known = name in INHERITED or name in OWN or name in GEOMETRY or name in TRANSFORMS
+    return (known or name.startswith("--") or name in BROWSERS) and is_valid(name, value)
+
+
 def unfolded(name: str, value: str) -> dict[str, str]:
     """A property, or those that a shorthand sets."""
+    if name.removeprefix("-webkit-") in ("mask", "mask-image"):
+        return _mask(value, name.endswith("mask"))
     found = _FONT.fullmatch(value.strip()) if name == "font" else None
     if found is None:
         return {name: value}
@@ -177,6 +205,15 @@ def unfolded(name: str, value: str) -> dict[str, str]:
         elif word != "normal":
             fonts["font-weight"] = word
     return fonts
+
+
+def _mask(value: str, resets: bool) -> dict[str, str]:
+    """The mask that ``mask`` or ``mask-image`` names, and of the first how it is taken."""
+    named = _URL.search(value)
+    if named is None:
+        return {"mask": value}
+    modes = [word for word in _URL.sub("", value).lower().split() if word in MASK_MODES]
+    return {"mask": named[0], **({"mask-mode": (modes or ["match-source"])[0]} if resets else {})}
 
 
 def is_plain(name: str) -> bool:

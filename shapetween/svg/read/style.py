@@ -10,7 +10,15 @@ from functools import lru_cache, partial
 from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
-from shapetween.svg.read.properties import INHERITED, PAINTS, is_plain, is_valid, normal, unfolded
+from shapetween.svg.read.properties import (
+    INHERITED,
+    PAINTS,
+    is_plain,
+    is_supported,
+    is_valid,
+    normal,
+    unfolded,
+)
 from shapetween.svg.read.queries import Medium, media_met
 from shapetween.svg.read.sheets import UNLAYERED, Declaration, declarations_of, rules_of
 from shapetween.svg.read.variables import is_of_the_page, with_scheme, with_variables
@@ -158,7 +166,7 @@ class Cascade:
 
         rules = []
         found, self._keyframes = rules_of(
-            sheet, medium, is_valid, partial(spend, "style_characters"), self._warn
+            sheet, medium, is_supported, partial(spend, "style_characters"), self._warn
         )
         layered = False
         for rule in found:

@@ -45,12 +45,13 @@ USUAL = ("times new roman", "sans-serif", "serif", "")
 CHORDS = 32
 
 
-#: Lines with text, the metric of their upper edge above its line, and what that usually is.
-DECORATIONS = (
-    ("underline", "UNDERLINE_OFFSET", -0.1),
-    ("overline", "HORIZONTAL_ASCENDER", 0.8),
-    ("line-through", "STRIKEOUT_OFFSET", 0.3),
-)
+#: Lines with text as Chromium draws them, whatever the font asks for: where their upper edge is
+#: above that of the text, in shares of the size and of how far the font ascends; and how thick.
+DECORATIONS = (("underline", -0.05, 0.0), ("overline", 0.1, 1.0), ("line-through", 0.05, 1 / 3))
+THICK = 0.1
+
+#: How far a font ascends that does not say so, as a share of its size.
+ASCENT = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,13 +122,12 @@ def _decorations(glyphs: Sequence[_Set]) -> list[Letter]:
     for run in runs:
         first = run[0]
         words = first.character.frame.properties.get("text-decoration", "none").lower().split()
-        for word, metric, default in DECORATIONS:
+        ascent = first.face.metric("HORIZONTAL_ASCENDER", ASCENT)
+        for word, above, of_ascent in DECORATIONS:
             if word in words and first.matrix is not None:
-                thick = first.face.metric("UNDERLINE_SIZE", 0.05) * first.size
-                offset = first.face.metric(metric, default) * first.size
                 end = run[-1].x + run[-1].advance
-                values = {"x": first.x, "y": first.y - offset}
-                values |= {"width": end - first.x, "height": thick}
+                values = {"x": first.x, "y": first.y - (above + of_ascent * ascent) * first.size}
+                values |= {"width": end - first.x, "height": THICK * first.size}
                 texts = {name: f"{value!r}" for name, value in values.items()}
                 drawn = basic_shape("rect", texts, first.character.frame.viewport, 10)
                 letters.append(Letter(first.character.frame, drawn.subpaths))

@@ -37,6 +37,14 @@ from shapetween.svg.read.xml import local_name
 __all__ = ["entered", "object_box", "walk"]
 
 
+#: Properties that change what is seen and are not carried, and what to write in their place.
+UNDRAWN = {
+    "offset-path": "place the shape with a transform instead",
+    "mask-border": "draw it as a mask element instead",
+    "mask-border-source": "draw it as a mask element instead",
+}
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class _Visit:
     element: Element
@@ -201,7 +209,11 @@ def entered(
         properties.get("filter", "none"),
         _named(document, properties.get("mask", "none"), "mask"),
         _clip(document, properties.get("clip-path", "none")),
+        properties.get("mask-mode", "match-source").strip().lower(),
     )
+    for name, instead in UNDRAWN.items():
+        if properties.get(name, "none").strip().lower() not in ("none", "auto", "initial"):
+            document.losses.add(f"the property {name} was left out; {instead}", label(element))
     return replace(frame, layers=(*frame.layers, layer)) if layer.says_something else frame
 
 
@@ -220,7 +232,7 @@ def _named(document: Document, text: str, tag: str) -> Element | None:
         return None
     value = parse_paint(text)
     if value is None:
-        document.losses.add(f"a {tag} made by style was left out")
+        document.losses.add(f"a {tag} made by style was left out; draw it as a {tag} element")
         return None
     target = document.ids.get(value.reference)
     return target if target is not None and local_name(target) == tag else None

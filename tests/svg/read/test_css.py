@@ -66,6 +66,9 @@ def colour(sheet: str, attributes: str = 'class="a"') -> str:
         (":root{--a:var(--b);--b:#f00}.a{fill:var(--a)}", "f00"),
         (":root{--a:var(--b);--b:var(--a)}.a{fill:var(--a, #00f)}", "00f"),
         (".o{--a:#f00}.a{--a:var(--a);fill:var(--a,#0f0)}", "0f0"),
+        # What is asked for and not known is not supported.
+        ("@supports not (foo: bar){.a{fill:#f00}}", "f00"),
+        ("@supports (display: grid) and (fill: red){.a{fill:#f00}}", "f00"),
         # Colours of colours.
         (".o{color:#f00}.a{fill:color-mix(in srgb, currentColor, #f00)}", "f00"),
         (".a{fill:light-dark(#f00, #00f)}", "f00"),
@@ -87,6 +90,11 @@ def test_style_sheets(sheet: str, expected: str) -> None:
         ("color-mix(in srgb, red, transparent)", (1, 0, 0, 0.5)),
         ("color-mix(in hsl, red, lime)", (1, 1, 0, 1)),
         ("color-mix(in hsl longer hue, red, lime)", (0, 0, 1, 1)),
+        # Half a turn apart, and alike: the longer way is the one onwards.
+        ("color-mix(in hsl longer hue, red, cyan)", (0.5, 1, 0, 1)),
+        ("color-mix(in hsl longer hue, red, red)", (0, 1, 1, 1)),
+        ("color-mix(in hsl increasing hue, blue, red)", (1, 0, 1, 1)),
+        ("color-mix(in hsl decreasing hue, red, blue)", (1, 0, 1, 1)),
         ("color-mix(in lab, white, white)", (1, 1, 1, 1)),
         ("color-mix(in oklch, white, red 0%)", (1, 1, 1, 1)),
         ("color-mix(red 0%, lime)", (0, 1, 0, 1)),
@@ -217,6 +225,8 @@ def test_lengths_of_style_need_their_unit() -> None:
         ),
         ("<script>1</script><rect width='9' height='9'/>", "script"),
         ("<style>@container (width){}</style><rect width='9' height='9'/>", "@container"),
+        ("<rect width='9' height='9' style='offset-path:none;mask-border:url(a)'/>", "mask-border"),
+        ("<rect width='9' height='9' style='mask:linear-gradient(red,blue)'/>", "mask element"),
     ],
 )
 def test_what_is_not_followed_is_told(body: str, word: str) -> None:

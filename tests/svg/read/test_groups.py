@@ -185,3 +185,30 @@ def test_masks_within_masks_end() -> None:
         "</mask>" + RECT.format('mask="url(#m)"') + RECT.format("")
     )
     assert any("masks itself" in warning for warning in drawing.warnings)
+
+
+def test_what_blends_within_a_clip_or_a_group_sees_only_what_is_in_it() -> None:
+    clip = '<clipPath id="c"><rect width="60" height="100"/></clipPath>'
+    blended = RECT.format('style="mix-blend-mode:multiply"')
+    plain = read(clip + blended).shapes[0].style.groups
+    assert [group.isolated for group in plain] == [False]
+    for attributes in ('clip-path="url(#c)"', 'style="isolation:isolate"', 'opacity=".5"'):
+        drawing = read(f"{clip}<g {attributes}>{RECT.format('')}{blended}</g>")
+        below, above = (shape.style.groups for shape in drawing.shapes)
+        # The one group holds both of them.
+        assert below[0] is above[0]
+        assert below[0].isolated
+        assert [group.blend for group in above] == ["normal", "multiply"]
+
+
+def test_style_says_how_a_mask_is_taken() -> None:
+    black = '<mask id="m"><rect width="50" height="100"/></mask>'
+    for style in ("mask:url(#m) alpha", "mask-image:url(#m);mask-mode:alpha"):
+        drawing = read(black + RECT.format(f'style="{style}"'))
+        assert area(drawing.shapes[0]) == pytest.approx(40 * 80)
+
+
+def test_a_mask_in_linear_light_is_told() -> None:
+    grey = '<rect width="100" height="100" fill="#888"/>'
+    (warning,) = masked(grey, 'color-interpolation="linearRGB"').warnings
+    assert "linearRGB" in warning

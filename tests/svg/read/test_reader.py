@@ -399,7 +399,6 @@ def test_names_and_title() -> None:
         ('<g transform="scale(2"/>', "transform"),
         ("<style>@import 'a.css';</style>", "import"),
         ("<style>a:::b{fill:red}</style>", "selectors"),
-        ('<circle r="5" stroke="red" transform="scale(1 9)"/>', "stroke"),
         ('<rect width="5" height="5" style="clip-path:circus(5px)"/>', "clip"),
     ],
 )
@@ -591,3 +590,37 @@ def test_what_runs_far_out_is_brought_near() -> None:
     assert np.abs(shape.rings[0].curves).max() < 1e7
     assert shape.rings[0].curves[0, 0].tolist() == [10, 90]
     assert shape.rings[0].curves[-1, 3].tolist() == [50, 90]
+
+
+def test_a_radial_gradient_from_a_circle_on_is_a_cone_from_its_apex() -> None:
+    stops = '<stop stop-color="red"/><stop offset="1" stop-color="blue"/>'
+    body = (
+        f'<radialGradient id="g" gradientUnits="userSpaceOnUse" cx="50" cy="50" r="40" fr="{{}}">'
+        f'{stops}</radialGradient><rect width="100" height="100" fill="url(#g)"/>'
+    )
+    paint = read(body.format(10)).shapes[0].style.fill
+    assert isinstance(paint, Gradient)
+    assert paint.points == pytest.approx((50, 50, 40, 50, 50))
+    assert [stop.offset for stop in paint.stops] == pytest.approx([0.25, 1.0])
+    with pytest.raises(InputError):
+        read(body.format(40))
+
+
+def test_a_gradient_in_linear_light_has_stops_on_its_way() -> None:
+    stops = '<stop stop-color="red"/><stop offset="1" stop-color="blue"/>'
+    body = '<linearGradient id="g" color-interpolation="linearRGB">{}</linearGradient>{}'
+    rect = '<rect width="100" height="100" fill="url(#g)"/>'
+    paint = read(body.format(stops, rect)).shapes[0].style.fill
+    assert isinstance(paint, Gradient)
+    (middle,) = (stop for stop in paint.stops if stop.offset == 0.5)
+    assert middle.colour.red == pytest.approx(0.735, abs=1e-3)
+
+
+def test_a_gradient_without_a_box_gives_way_to_the_colour_beside_it() -> None:
+    body = (
+        '<linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient>'
+        '<path d="M10 50H90" stroke="url(#g) #0a0"/><path d="M10 60H90" stroke="url(#g)"/>'
+    )
+    (shape,) = read(body).shapes
+    assert shape.style.stroke is not None
+    assert isinstance(shape.style.stroke.paint, Colour)

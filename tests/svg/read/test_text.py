@@ -147,7 +147,7 @@ def test_text_clips(fonts: Fonts) -> None:
 def test_an_underline_is_drawn(fonts: Fonts) -> None:
     drawing = read(fonts, '<text y="100" text-decoration="underline">ab</text>')
     line = drawing.shapes[-1].rings[0].box
-    np.testing.assert_allclose(line, [[0, 110], [100, 115]], atol=1e-6)
+    np.testing.assert_allclose(line, [[0, 105], [100, 115]], atol=1e-6)
 
 
 def test_a_missing_font_is_named(fonts: Fonts) -> None:
