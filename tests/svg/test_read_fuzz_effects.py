@@ -21,6 +21,7 @@ KEPT = (
     '<mask id="m"><rect width="50" height="90" fill="#fff"/><use href="#a"/></mask>'
     '<filter id="f"><feGaussianBlur stdDeviation="2"/></filter>'
     '<clipPath id="c"><circle r="40"/></clipPath><rect id="a" width="20" height="20"/>'
+    '<radialGradient id="l" fr=".1"><stop/><stop offset="1" stop-color="red"/></radialGradient>'
     '<marker id="k"><path d="M0 0L4 2 0 4z" fill="context-stroke"/></marker>'
 )
 TAGS = (
@@ -58,6 +59,10 @@ class Maker:
                 *("mask-type:alpha", f"font:{n} serif", f"stroke:{colour};stroke-width:{n}"),
                 *(f"filter:drop-shadow({n} {m} {colour})", f"clip-path:circle({n} at {m} {n})"),
                 f"clip-path:inset({n} round {m})",
+                f"clip-path:inset(1px round {n} {m} / {n} 3px)",
+                *("mask:url(#m) alpha", "mask-mode:alpha", "mask-image:none", f"offset-path:{n}"),
+                *("color-interpolation:linearRGB", "text-decoration:underline overline"),
+                *(f"stroke:red;stroke-dasharray:{n} {m};stroke-dashoffset:{m}", "mask-border:none"),
             ]
         )
 
@@ -72,6 +77,8 @@ class Maker:
                 *('href="#a"', 'href="#m"', f'textLength="{n}"', f'viewBox="0 0 {n} {m}"'),
                 *('maskUnits="userSpaceOnUse"', 'maskContentUnits="objectBoundingBox"'),
                 *('marker-mid="url(#k)"', f'transform="scale({n})"', f'dx="{n} {m}"'),
+                *('transform="scale(1 3)"', 'transform="skewX(60)"', f'fr="{n}"'),
+                *('stroke-linejoin="round"', 'stroke-linecap="square"', 'fill="url(#l)"'),
                 *('id="a"', 'id="m"', f'values="{n} {m}"', f'stdDeviation="{n}"', 'orient="auto"'),
             ]
         )
