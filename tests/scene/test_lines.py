@@ -201,3 +201,9 @@ def test_what_hangs_on_what_goes_folds_onto_that(tmp_path: Path) -> None:
         curves = bit.curves(np.array([t]))[0]
         np.testing.assert_allclose(ends_of(curves), [[15, 12], [20, 12]], atol=1e-6)
     assert bit.style(0.4).opacity == 0 < shaft.style(0.4).opacity
+
+
+def test_a_speck_at_a_line_s_end_is_not_closed_by_it(tmp_path: Path) -> None:
+    bent = '<path d="M18 7v10h-12v-10"/><path d="M6 7h.06"/>'
+    found = morph(tmp_path, bent, '<circle cx="12" cy="12" r="9"/><path d="M9 12h6"/>', ICON)
+    assert drawn(found.prepared.movement.at(np.array([0.5]))[0]).area > 0

@@ -14,7 +14,7 @@ from shapetween.scene.cuts.division import Division, Found
 from shapetween.scene.cuts.lines import opaque, shared_lines
 from shapetween.scene.items import Item
 from shapetween.scene.motion.knots import kinks_of
-from shapetween.scene.places import Places, run_between
+from shapetween.scene.places import SAME, Places, run_between
 from shapetween.scene.relations import Scene
 
 __all__ = ["closed_lines"]
@@ -109,6 +109,8 @@ def _closings(k: int, scene: Scene) -> list[_Closing]:
         shares = places.nearest(ends)
         there = places.point(shares)
         if np.linalg.norm(there - ends, axis=1).max() > ON * item.width:
+            continue
+        if np.ptp(shares) < SAME:  # both ends lie on one place of it, perhaps its end
             continue
         run = run_between(places, *shares.tolist())
         length = Places(run).length
