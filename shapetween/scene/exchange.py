@@ -8,8 +8,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shapetween.base.arrays import Mask
 from shapetween.base.ends import End
 from shapetween.scene.assign import Role, Roles
+from shapetween.scene.backdrops import backdrops
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
@@ -17,7 +19,7 @@ from shapetween.scene.presence import Leaving
 from shapetween.scene.relations import Scene, drawn_box, in_common
 from shapetween.scene.torn import closes
 
-__all__ = ["EXCHANGED", "difference", "exchange_goings", "exchange_roles"]
+__all__ = ["difference", "exchange_goings", "exchange_roles", "too_different"]
 
 #: Difference from which on drawings are exchanged. Fitted with the two weights to 166 pairs, each
 #: judged by eye to look better, as well, or worse exchanged: of 55 better ones it takes 42, of 75
@@ -45,6 +47,25 @@ GOES, COMES = (0.0, 0.47), (0.45, 1.0)
 LEAST = 0.28
 
 
+def too_different(a: Scene, b: Scene, roles: Roles) -> bool:
+    """Whether two drawings are to be exchanged.
+
+    One thing by itself becomes what it pairs with, whatever the two are.
+
+    Parameters
+    ----------
+    a, b : Scene
+    roles : Roles
+        Who would become whom.
+    """
+    apart = _behind(a, b, roles)
+    counts = [int((~behind).sum()) for behind in apart]
+    pairs = [role for role in roles.pairs if not apart[0][role.first]]
+    if min(counts) == 0 or (len(pairs) and min(counts) == 1):
+        return False
+    return difference(a, b, roles) > EXCHANGED
+
+
 def difference(a: Scene, b: Scene, roles: Roles) -> float:
     """How little two drawings have in common, 0 for nothing that differs.
 
@@ -54,9 +75,11 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     roles : Roles
         Who would become whom.
     """
-    firsts = np.array([role.first for role in roles.pairs], dtype=np.intp)
-    seconds = np.array([role.second for role in roles.pairs], dtype=np.intp)
-    sizes = [np.where(scene.sheets, 0.0, scene.sizes) for scene in (a, b)]
+    behind = _behind(a, b, roles)
+    pairs = [role for role in roles.pairs if not behind[0][role.first]]
+    firsts = np.array([role.first for role in pairs], dtype=np.intp)
+    seconds = np.array([role.second for role in pairs], dtype=np.intp)
+    sizes = [np.where(own, 0.0, scene.sizes) for scene, own in zip((a, b), behind, strict=True)]
     paired = [s[own].sum() / s.sum() for s, own in zip(sizes, (firsts, seconds), strict=True)]
     alone = 1 - sum(paired) / 2
     if not len(firsts):
@@ -72,8 +95,19 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow)
 
 
+def _behind(a: Scene, b: Scene, roles: Roles) -> tuple[Mask, Mask]:
+    """What of either drawing is its sheet or a backdrop, or that one's outline."""
+    cards = [roles.pairs[k] for k in backdrops(a, b, roles)]
+    found = []
+    for scene, own in ((a, [c.first for c in cards]), (b, [c.second for c in cards])):
+        behind = scene.sheets | np.isin(scene.outlined, own)
+        behind[own] = True
+        found.append(np.asarray(behind))
+    return found[0], found[1]
+
+
 def exchange_roles(a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene]) -> Roles:
-    """Roles of drawings that are exchanged: all is alone but the sheets and the ground.
+    """Roles of drawings that are exchanged: all is alone but what is behind or below it.
 
     Parameters
     ----------
@@ -85,11 +119,14 @@ def exchange_roles(a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene]) -
         What those are the roles of: with items that are cut into several.
     """
     places = [{id(item): k for k, item in enumerate(scene.items)} for scene in (a, b)]
+    behind = _behind(*cut, roles)
     staying = []
     for role in roles.pairs:
         first = places[0].get(id(cut[0].items[role.first]))
         second = places[1].get(id(cut[1].items[role.second]))
-        if first is not None and second is not None and _stays(first, second, a, b):
+        if first is None or second is None:
+            continue
+        if (behind[0][role.first] and behind[1][role.second]) or _is_ground(first, second, a, b):
             staying.append(Role(first, second, role.cost, role.reason))
     ends = {role.first for role in staying}, {role.second for role in staying}
     leavers, comers = (
@@ -109,17 +146,16 @@ def exchange_goings(scene: Scene, lone: Sequence[int], end: End) -> dict[int, Go
     alone[list(lone)] = True
     box = drawn_box(scene.items, scene.sheets | ~alone)
     place = box.mean(axis=0)
-    if (~alone & ~scene.sheets).any():
+    below = ~alone & ~scene.sheets
+    if below.any() and scene.centres[below, 1].min() > place[1]:
         place[1] = box[1, 1]
     whole = Going(Leaving(window, place, least=LEAST, thins=True))
     sheet = Going(Leaving((0.0, 1.0), fades=True))
     return {k: sheet if scene.sheets[k] else whole for k in lone}
 
 
-def _stays(i: int, j: int, a: Scene, b: Scene) -> bool:
-    """Whether a pair is a sheet, or the ground: a disc or box below all else, near by."""
-    if a.sheets[i] and b.sheets[j]:
-        return True
+def _is_ground(i: int, j: int, a: Scene, b: Scene) -> bool:
+    """Whether a pair is the ground: a disc or box below all else, near by."""
     forms = a.forms[i], b.forms[j]
     if not all(isinstance(form, RoundedBox) for form in forms):
         return False

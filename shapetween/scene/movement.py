@@ -17,12 +17,7 @@ from shapetween.fill.track import FillTrack, fills_of
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
-from shapetween.scene.exchange import (
-    EXCHANGED,
-    difference,
-    exchange_goings,
-    exchange_roles,
-)
+from shapetween.scene.exchange import exchange_goings, exchange_roles, too_different
 from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
@@ -31,7 +26,7 @@ from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.leaving import goings_between
 from shapetween.scene.motion.tracks import Frame, Shared
 from shapetween.scene.order import Layer, layers_of
-from shapetween.scene.pairing import Paired, pair_items
+from shapetween.scene.pairing import pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
@@ -132,7 +127,7 @@ def move_scene(
     (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
     still = paired.still
     notices: list[Notice] = []
-    exchange = asked.exchange and not kept and _too_different(paired)
+    exchange = asked.exchange and not kept and paired.frame is None and too_different(a, b, roles)
     if exchange:
         a, b = perceive(first, views[0]), perceive(second, views[1])
         roles = exchange_roles(a, b, roles, paired.scenes)
@@ -171,19 +166,6 @@ def move_scene(
     notices += [notice for _, _, own in drawn for notice in own]
     notices += _limits(a, b, roles)
     return SceneMovement(tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame)
-
-
-def _too_different(paired: Paired) -> bool:
-    """Whether the drawings are exchanged.
-
-    One thing by itself becomes what it pairs with, whatever the two are.
-    """
-    a, b = paired.scenes
-    if paired.frame is not None:
-        return False
-    if len(paired.roles.pairs) and min((~a.sheets).sum(), (~b.sheets).sum()) == 1:
-        return False
-    return difference(a, b, paired.roles) > EXCHANGED
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:

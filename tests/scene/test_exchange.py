@@ -123,3 +123,42 @@ def test_both_ends_are_as_drawn(tmp_path: Path) -> None:
             np.testing.assert_allclose(
                 one.rings[0].curves.min(axis=(0, 1)), other.rings[0].curves.min(axis=(0, 1))
             )
+
+
+CARD = '<rect x="2" y="2" width="96" height="96" rx="12" fill="{}"/>'
+
+
+def test_a_card_stays_and_what_lies_on_it_is_exchanged(tmp_path: Path) -> None:
+    """A large card in common does not make a car like a star."""
+    found = made(tmp_path, CARD.format("#dde") + CAR, CARD.format("#fed") + STAR)
+    assert is_exchanged(found)
+    for t in (0.2, 0.46, 0.8):
+        whole = next(box for box in boxes(found, t) if np.ptp(box, axis=0).min() > 95)
+        np.testing.assert_allclose(whole, [[2, 2], [98, 98]], atol=1e-6)
+    middles = [box.mean(axis=0) for box in boxes(found, 0.44) if np.ptp(box, axis=0).max() < 60]
+    assert all(abs(middle - [50, 58]).max() < 20 for middle in middles)
+
+
+def test_one_mark_on_a_card_becomes_another(tmp_path: Path) -> None:
+    mark, other = '<path d="M45 20h10v60h-10z"/>', '<path d="M20 45l60 0-30 35z"/>'
+    assert not is_exchanged(made(tmp_path, CARD.format("#dde") + mark, CARD.format("#dde") + other))
+
+
+def test_a_face_is_no_card(tmp_path: Path) -> None:
+    eyes = '<circle cx="35" cy="40" r="5"/><circle cx="65" cy="40" r="5"/>'
+    head = '<circle cx="50" cy="50" r="40" fill="#fc0"/>'
+    tongue = '<path d="M30 62h40v6h-40z"/><path d="M44 68h14v14h-14z" fill="#e55"/>'
+    assert not is_exchanged(made(tmp_path, FACE, head + eyes + tongue))
+
+
+def test_spots_on_wings_make_no_face_of_a_card(tmp_path: Path) -> None:
+    card = '<circle cx="50" cy="50" r="48" fill="{}"/>'
+    wings = (
+        '<path d="M48 20c-40-20-40 70 0 60z" fill="#c22"/>'
+        '<path d="M52 20c40-20 40 70 0 60z" fill="#c22"/>'
+        '<circle cx="35" cy="40" r="5"/><circle cx="65" cy="40" r="5"/>'
+    )
+    found = made(tmp_path, card.format("#dde") + wings, card.format("#fed") + CAR)
+    whole = [box for box in boxes(found, 0.46) if np.ptp(box, axis=0).min() > 95]
+    assert is_exchanged(found)
+    assert len(whole) == 1

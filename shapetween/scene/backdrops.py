@@ -1,0 +1,69 @@
+"""What everything lies on in both drawings: cards, plates and frames that stay where they are."""
+
+import numpy as np
+
+from shapetween.base.arrays import Mask
+from shapetween.scene.assign import Roles
+from shapetween.scene.features import Feature, features_of
+from shapetween.scene.forms import RoundedBox
+from shapetween.scene.relations import Scene
+from shapetween.scene.sets import sets_of
+
+__all__ = ["backdrops"]
+
+#: Greatest way, as a share of the drawing, and logarithm of sizes, of what stays. Larger, and a
+#: panel that moves is taken for a card; smaller, and cards drawn anew are not known.
+WAY, SIZES = 0.06, 0.2
+
+#: Share of all other things, by size, that lie on it. Above, and a card is none whose picture
+#: looks over its edge; below, and the larger half of a drawing is a card.
+COVERED = 0.9
+
+#: What lies on a face. Of two faces the head is no card: they look another way when these move.
+FACIAL = Feature.EYE | Feature.BROW | Feature.NOSE | Feature.MOUTH
+
+
+def backdrops(a: Scene, b: Scene, roles: Roles) -> tuple[int, ...]:
+    """Indices of the pairs that everything else lies on.
+
+    Parameters
+    ----------
+    a, b : Scene
+    roles : Roles
+    """
+    scale = (a.scale + b.scale) / 2
+    found = []
+    for k, role in enumerate(roles.pairs):
+        i, j = role.first, role.second
+        if not (isinstance(a.forms[i], RoundedBox) and isinstance(b.forms[j], RoundedBox)):
+            continue
+        away = float(np.linalg.norm(a.centres[i] - b.centres[j]))
+        if away > WAY * scale or abs(np.log(a.sizes[i] / b.sizes[j])) > SIZES:
+            continue
+        ends = ((a, i), (b, j))
+        if all(_is_below_all(*end) for end in ends) and not all(_is_face(*end) for end in ends):
+            found.append(k)
+    return tuple(found)
+
+
+def _is_below_all(scene: Scene, card: int) -> bool:
+    others = ~(scene.sheets | (scene.outlined == card))
+    others[card] = False
+    whole = float(scene.sizes[others].sum())
+    lying = float(scene.sizes[others & _inside(scene, card)].sum())
+    return whole > 0 and lying > COVERED * whole
+
+
+def _is_face(scene: Scene, head: int) -> bool:
+    kinds = features_of(scene, sets_of(scene)).kinds
+    return bool((kinds[scene.parents == head] & FACIAL).any())
+
+
+def _inside(scene: Scene, card: int) -> Mask:
+    """Which items lie in one, however deep."""
+    found = scene.parents == card
+    while True:
+        deeper = found | np.isin(scene.parents, np.flatnonzero(found))
+        if (deeper == found).all():
+            return np.asarray(found)
+        found = deeper
