@@ -170,3 +170,11 @@ def test_a_clip_within_a_clip_cuts_curves_by_curves() -> None:
     assert len(ring.curves) == 4
     lens = 2 * 30**2 * np.arccos(1 / 3) - 20 / 2 * np.sqrt(4 * 30**2 - 20**2)
     assert area(read(body)) == pytest.approx(lens, rel=1e-3)
+
+
+def test_a_clip_that_uses_a_group_shows_nothing_and_it_is_told() -> None:
+    body = '<g id="g"><rect width="9" height="9"/></g><clipPath id="c"><use href="#g"/></clipPath>'
+    drawing = read(body + '<rect width="90" height="90" clip-path="url(#c)"/>')
+    assert area(drawing) == pytest.approx(9 * 9)
+    (warning,) = drawing.warnings
+    assert "as in browsers" in warning

@@ -26,7 +26,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, FillRule, Style
 from shapetween.svg.read.area import stroked_area
 from shapetween.svg.read.cssshape import css_shape
-from shapetween.svg.read.document import Document
+from shapetween.svg.read.document import Document, label
 from shapetween.svg.read.figure import rings_of
 from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.painting import fill_rule
@@ -49,6 +49,9 @@ LEAST_CUT = 1e-5
 
 #: What cutting takes besides its points, as a number of points.
 CLIP_WORK = 100
+
+#: Elements that clip.
+CLIPPING = frozenset({*SHAPES, "text"})
 
 #: Clip paths that clip clip paths; more is taken for a circle.
 MOST_NESTED = 8
@@ -255,7 +258,7 @@ class Clipper:
         inner = entered(self._document, element, properties, base)
         parts: list[Region] = []
         for child in element if inner is not None else ():
-            if inner is None or local_name(child) not in SHAPES.keys() | {"use", "text"}:
+            if inner is None or not self._clips(child):
                 continue
             for placed in walk(self._document, child, replace(inner, layers=())):
                 if placed.frame.properties.get("visibility", "visible") != "visible":
@@ -270,6 +273,17 @@ class Clipper:
         region = Region(area, tuple(chords for part in parts for chords in part.edges))
         own = self.of(inner.layers if inner is not None else (), within)
         return region.within(self.common(own))
+
+    def _clips(self, child: Element) -> bool:
+        """Whether a child of a clip path counts: a shape or text, or what uses one itself."""
+        if local_name(child) == "use":
+            used = self._document.target(child)
+            if used is not None and local_name(used) not in CLIPPING:
+                what = "a clip path that uses no shape itself shows nothing, as in browsers"
+                self._document.losses.add(what, label(child))
+                return False
+            return used is not None
+        return local_name(child) in CLIPPING
 
     def _area(self, placed: Placed, subpaths: Sequence[Subpath], rule: FillRule) -> Region | None:
         """What subpaths enclose; None, with a warning, if that would take too long to tell."""
