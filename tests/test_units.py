@@ -18,8 +18,9 @@ CORPUS = ROOT.parent / "shared/corpus"
 #: Pairs of the gallery of all kinds.
 PAIRS = ("hammer:wrench", "hand-closed:hand-open", "letter-o:letter-c", "key:lock", "run:walk")
 
-#: Kinds of the corpus, and every how manieth pair of each is taken.
-KINDS, EVERY = ("icons", "strokes", "holes"), 4
+#: Kinds of the corpus, and every how manieth pair of each is taken; those that once differed among
+#: them.
+EVERY = {"icons": 4, "strokes": 1, "holes": 4, "silhouette": 9, "multipart": 11}
 
 TIMES = np.array([0.0, 0.3, 0.5, 1.0])
 
@@ -63,8 +64,8 @@ def corpus_pairs() -> list[tuple[str, str]]:
     if not CORPUS.exists():
         return []
     rows = json.loads((CORPUS / "pairs.json").read_text("utf-8"))
-    kinds = [[row for row in rows if row["category"] == kind] for kind in KINDS]
-    return [(row["a"], row["b"]) for kind in kinds for row in kind[::EVERY]]
+    kinds = {kind: [row for row in rows if row["category"] == kind] for kind in EVERY}
+    return [(row["a"], row["b"]) for kind, own in kinds.items() for row in own[:: EVERY[kind]]]
 
 
 @pytest.mark.filterwarnings("ignore")

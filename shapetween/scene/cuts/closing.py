@@ -34,6 +34,10 @@ ALL = 0.97
 #: for what it hangs on.
 CLOSES = 0.8
 
+#: Share of a line's extent up to which a gap to what closes it is none. Smaller, and rounding, so
+#: the unit, leaves curves that are points; larger, and it would be seen.
+GAP = 1e-7
+
 
 def closed_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
     """Lines of a scene, closed by what both their ends lie on, that are rings of another one.
@@ -140,7 +144,9 @@ def _ring(line: Outline, run: Outline) -> Outline:
     there = line_curves(line.curves[-1, 3], run.curves[0, 0])[None]
     back = line_curves(run.curves[-1, 3], line.curves[0, 0])[None]
     parts = [line.curves, there, run.curves, back]
-    curves = np.concatenate([part for part in parts if np.ptp(part, axis=(0, 1)).any()]).copy()
+    least = GAP * float(np.ptp(line.box, axis=0).max())
+    long = [part for part in parts if np.ptp(part.reshape(-1, 2), axis=0).max() > least]
+    curves = np.concatenate(long)
     curves[:, 0] = np.roll(curves[:, 3], 1, axis=0)
     return Outline(curves, True)
 

@@ -18,6 +18,9 @@ __all__ = ["Blend", "Frame", "Framed", "Mirrored", "OfPieces", "OfTrack", "Share
 #: Least width of a card that turns over, as a share of its own: it is seen on its edge, not gone.
 EDGE = 0.08
 
+#: Width of such a card that is none. Smaller, and rounding, so the unit, says which side is seen.
+ROUNDING = 1e-9
+
 
 @dataclass(frozen=True, eq=False)
 class OfPieces(Leaf):
@@ -123,7 +126,8 @@ class Frame:
         stretch = (1 - time) * np.eye(2) + time * self.stretch
         if self.over >= 0:
             scale = stretch[:, self.over, self.over]
-            thin = np.where(scale < 0, -EDGE, EDGE)
+            # Half-way it may be 0, whose sign is rounding's.
+            thin = np.where(scale < -ROUNDING, -EDGE, EDGE)
             stretch[:, self.over, self.over] = np.where(np.abs(scale) < EDGE, thin, scale)
         linear = rotations(t * self.turn) @ stretch
         centre = (1 - t)[:, None] * self.centres[0] + t[:, None] * self.centres[1]
