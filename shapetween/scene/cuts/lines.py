@@ -18,7 +18,7 @@ __all__ = ["opaque", "shared_lines"]
 
 #: Distance of a line from the one that it lies on, as a share of the drawing, and difference of
 #: their lengths there.
-ON, LENGTH = 0.012, 0.1
+ON, LENGTH = 0.02, 0.1
 
 #: Least share of a line that its pieces take together, and that those take which end at its ends
 #: and corners. Smaller, and lines break where another one just crosses them; larger, and the stem
