@@ -222,3 +222,23 @@ def test_pieces_that_lie_hardly_aside_are_pieces(tmp_path: Path) -> None:
     (early, late) = found.prepared.movement.at(np.array([0.15, 0.9]))
     for frame in (early, late):  # the short piece never leaves its place
         assert drawn(frame).intersection(shapely.box(17, 10, 21, 13)).area > 0.9 * 2 * 2.5
+
+
+def test_a_slash_closes_nothing(tmp_path: Path) -> None:
+    """Its ends lie on what it cuts, and yet it is no lid: what it leaves of a shield stays."""
+    shield = '<path d="M5 5l7 -2l7 2v8c0 4 -3 6 -7 8c-4 -2 -7 -4 -7 -8z"/>'
+    off = (
+        '<path d="M8 4.14l4 -1.14l7 2v8"/>'
+        '<path d="M17 17.4c-1.2 1.5 -3 2.6 -5 3.6c-4 -2 -7 -4 -7 -8v-8"/>'
+    )
+    found = morph(tmp_path, shield, off + '<path d="M5 5l12 12.4"/>', ICON)
+    kept = drawn(morph(tmp_path, off, off, ICON).prepared.movement.at(np.zeros(1))[0])
+    for frame in found.prepared.movement.at(TIMES):
+        assert kept.difference(drawn(frame).buffer(0.35)).area < 0.02 * kept.area
+
+
+def test_a_panel_closed_by_what_it_stands_on_stays_whole(tmp_path: Path) -> None:
+    """A handle lies along most of a panel, and with the case below it is as closed as that."""
+    panel = '<path d="M8 3h8v6q-4 2 -8 0z"/><path d="M3 10v11h18v-11"/>'
+    case = '<path d="M8 7v-4h8v4"/><path d="M2 7h20v14h-20z"/>'
+    assert (True, True) in closed(morph(tmp_path, panel, case, ICON))

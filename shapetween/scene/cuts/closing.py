@@ -30,6 +30,10 @@ COMMON = 0.5
 #: Share of what closes a line from which on it is all of it, and drawn once.
 ALL = 0.97
 
+#: Share of a ring from which on lines that lie on it leave but gaps of it. Larger, and a slash is
+#: taken for what closes the line it cuts.
+GAPS = 0.75
+
 #: Greatest length of what closes a line, as a share of it. Larger, and a hook on a circle is taken
 #: for what it hangs on.
 CLOSES = 0.8
@@ -50,7 +54,7 @@ def closed_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     if not lines or not rings:
         return {}
     gaps = shared_lines(parts, whole)  # rings that these lines are pieces of
-    rings = [j for j in rings if j not in gaps]
+    rings = [j for j in rings if not (j in gaps and _nearly_all(gaps[j], parts.items[j]))]
     options = []
     for k in lines:
         if whole.items[k].shape in kept or not rings:
@@ -89,6 +93,11 @@ class _Closing:
     host: int
     item: Item
     all: bool
+
+
+def _nearly_all(pieces: Division, item: Item) -> bool:
+    """Whether an item's pieces that have partners leave little but gaps."""
+    return sum(piece.length for piece, _ in pieces.pairs) > GAPS * item.length
 
 
 def _line(item: Item) -> bool:
