@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from shapetween.base.ends import End
-from shapetween.deform.locate import MeshBinder, PointLocator
+from shapetween.deform.locate import BoundPoints, MeshBinder, PointLocator
 from shapetween.deform.mesh import AmbientMesh, ambient_mesh
 
 SQUARE = np.array([[0.0, 0], [4, 0], [4, 4], [0, 4]])
@@ -63,3 +63,8 @@ def test_every_point_is_found_in_its_triangle(mesh: AmbientMesh, end: End) -> No
     local = np.linalg.solve(matrices, (points[:, None] - a)[..., None])[..., 0]
     best = np.minimum(local.min(axis=-1), 1 - local.sum(axis=-1)).max(axis=1)
     np.testing.assert_allclose(weights.min(axis=1), best, atol=1e-9)
+
+
+def test_what_sticks_out_by_less_than_half_a_triangle_is_bound() -> None:
+    weights = np.array([[1.2, 0.2, -0.4], [1.4, 0.3, -0.7]])
+    assert BoundPoints(np.zeros((2, 3), np.intp), weights).beyond.tolist() == [False, True]

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -163,3 +165,16 @@ def test_edges_turn_at_a_steady_pace_and_keep_near_their_length() -> None:
     length = np.linalg.norm(edges, axis=2).sum(axis=1)
     straight = (1 - t) * length[0] + t * length[-1]
     assert 0.0405 < np.abs(length / straight - 1).max() < 0.043
+
+
+def test_what_only_inverted_triangles_hold_is_carried_by_a_blend() -> None:
+    """Left out of the energy altogether, the system would not be regular."""
+    source, target = comb(3, -0.1), comb(3, 0.35)
+    mesh = ambient_mesh(source, target)
+    free = int(np.flatnonzero(~np.isin(np.arange(len(mesh.source)), mesh.frame))[-1])
+    alone = replace(mesh)
+    object.__setattr__(alone, "inverted", (mesh.triangles == free).any(axis=1))
+    moved = AmbientMotion.prepare(alone).vertices(T)
+    assert np.isfinite(moved).all()
+    low, high = moved.min(axis=1) - 1e-9, moved.max(axis=1) + 1e-9
+    assert ((low <= moved[:, free]) & (moved[:, free] <= high)).all()

@@ -45,3 +45,24 @@ def test_half_a_turn_goes_one_way_whatever_the_rounding(sign: int) -> None:
 def test_a_shape_without_area_is_refused() -> None:
     with pytest.raises(OutlineError, match="area"):
         Pose.of(np.zeros((3, 2)), 0.0)
+
+
+@pytest.mark.parametrize(("residual", "share"), [(0.0015, 0.0), (0.03, 0.58), (0.08, 1.0)])
+def test_the_frame_shears_with_shapes_that_are_nearly_affine_images(
+    residual: float, share: float
+) -> None:
+    """What rounding a matching leaves breaks no affine pair; what is unlike shears nothing."""
+    a = blob(5, 24)
+    a = (a - a.mean(axis=0)) / np.ptp(a)
+    off = np.stack([np.sin(7 * np.arange(24.0)), np.cos(5 * np.arange(24.0))], axis=1)
+    known = np.column_stack([a, np.ones(24)])
+    off -= known @ np.linalg.lstsq(known, off, rcond=None)[0]  # what no affine map takes up
+    off *= residual / np.sqrt((off**2).sum(axis=1).mean())
+    sheared = np.array([[1.0, 0.6], [0.0, 1.1]])
+    matrix = affine_path(a, a @ sheared.T + off).matrix
+
+    def uneven(m: Floats) -> float:
+        """What of a map is no similarity."""
+        return float(np.hypot(m[0, 0] - m[1, 1], m[0, 1] + m[1, 0]))
+
+    assert 1 - uneven(matrix) / uneven(sheared) == pytest.approx(share, abs=0.02)

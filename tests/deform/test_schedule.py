@@ -3,12 +3,13 @@ import numpy as np
 from shapetween.base.arrays import Floats, Mask, Points
 from shapetween.deform.check import simple_frames
 from shapetween.deform.keyed import KeyedMotion
-from shapetween.deform.mesh import ambient_mesh
+from shapetween.deform.mesh import AmbientMesh, ambient_mesh
 from shapetween.deform.motion import AmbientMotion, Stiffness
 from shapetween.deform.repair import repair_inversions
 from shapetween.deform.schedule import STIFFNESS_SCHEDULE, solve
 from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.geometry.polygon import polygon_area
+from tests.baseline import assert_known
 from tests.deform.shapes import bowed_strip, comb
 
 T = np.linspace(0, 1, 41)
@@ -20,14 +21,15 @@ def _hooks(angle: float) -> tuple[Points, list[np.ndarray]]:
     return np.concatenate([left, -left]), [np.arange(20), np.arange(20, 40)]
 
 
-def test_an_easy_motion_takes_the_first_rung() -> None:
+def test_an_easy_motion_takes_the_first_setting() -> None:
     solved = solve(ambient_mesh(comb(4, -0.5), comb(4, 0.5)))
     assert solved.stiffness is STIFFNESS_SCHEDULE[0]
     assert not solved.repaired
     assert not len(solved.crossing)
 
 
-def test_what_folds_is_mended_and_stays_smooth() -> None:
+def _clapping() -> tuple[AmbientMesh, KeyedMotion]:
+    """Two bars that swing into each other and back."""
     strip = bowed_strip(0.0, 10)
     nodes = np.concatenate([strip + np.array([0.0, y]) for y in (-0.25, 0.25)])
     rings = [np.arange(20), np.arange(20, 40)]
@@ -39,7 +41,11 @@ def test_what_folds_is_mended_and_stays_smooth() -> None:
         return own.turned(np.exp(1j * np.where(above, swing, -swing)))
 
     solver = AmbientMotion.prepare(mesh, Stiffness(outside=1e-3, length=0.0), clap)
-    motion = KeyedMotion.of(mesh, solver.posed(np.linspace(0, 1, 21)))
+    return mesh, KeyedMotion.of(mesh, solver.posed(np.linspace(0, 1, 21)))
+
+
+def test_what_folds_is_repaired_and_stays_smooth() -> None:
+    mesh, motion = _clapping()
     plain = motion.vertices(T)
     assert not simple_frames(plain[:, :40], (20, 20)).all()
     repaired = repair_inversions(motion, len(T))
@@ -91,3 +97,11 @@ def test_curled_strips_pass_each_other() -> None:
     moved = solved.motion.vertices(np.linspace(0, 1, 161))[:, :40]
     assert not len(solved.crossing)
     assert simple_frames(moved, (20, 20)).all()
+
+
+def test_the_repair_is_known() -> None:
+    mesh, motion = _clapping()
+    moved = repair_inversions(motion, len(T)).vertices(T[1:-1:3])
+    areas = polygon_area(moved[:, mesh.triangles])
+    figures = [*areas.min(axis=1).tolist(), *moved[:, :40:3].ravel().tolist()]
+    assert_known("deform", "bars that clap", figures)

@@ -293,3 +293,31 @@ def test_joints_that_all_but_run_on_are_kept_so_and_corners_are_left(
     (found,) = carrier.curves(nodes[None], np.array([0.5]))
     kept = np.rad2deg(_kinks(found))
     assert (np.abs(kept - kink) < 1.0).all() == smooth
+
+
+@pytest.mark.parametrize(("noise", "exact"), [(7e-4, True), (1.6e-3, False)])
+def test_a_great_stretch_is_followed_only_where_it_fits(noise: float, exact: bool) -> None:
+    """Past `MAX_STRETCH` two unlike outlines say nothing of a common deformation."""
+    source = star(3)
+    source = source - source.mean(axis=0)
+    off = np.stack([np.sin(7.0 * np.arange(9)), np.cos(5.0 * np.arange(9))], axis=1)
+    known = np.column_stack([source, np.ones(9)])
+    off -= known @ np.linalg.lstsq(known, off, rcond=None)[0]
+    target = source * [5.0, 1.0]
+    off *= noise * np.linalg.norm(target) / np.linalg.norm(off)
+    _, stretch = affine_between(source, target + off)
+    ratio = float(np.divide(*np.linalg.svd(stretch, compute_uv=False)))
+    assert ratio == pytest.approx(5.0 if exact else 1.0, rel=0.02)
+
+
+@pytest.mark.parametrize(("off", "flat"), [(6e-7, True), (1.6e-6, False)])
+def test_points_on_one_line_say_nothing_of_what_happens_across_it(off: float, flat: bool) -> None:
+    x = np.linspace(-1, 1, 9)
+    across = np.sign(np.sin(3 * np.pi * x + 0.2))
+    across = across - across.mean()
+    across = across - x * (across @ x) / (x @ x)
+    across *= off * np.linalg.norm(x) / np.linalg.norm(across)
+    points = np.stack([x, across], axis=1)
+    _, stretch = affine_between(points, points * [1.0, 2.0])
+    ratio = float(np.divide(*np.linalg.svd(stretch, compute_uv=False)))
+    assert ratio == pytest.approx(1.0 if flat else 2.0, rel=0.01)

@@ -17,6 +17,7 @@ from shapetween.outline.body import Carried
 from shapetween.outline.matching import match_outer
 from shapetween.outline.parting import parted
 from shapetween.outline.unfold import unfolded
+from tests.baseline import assert_known
 from tests.match.shapes import polygon
 
 TIMES = np.linspace(0, 1, CHECKED_TIMES)
@@ -122,3 +123,11 @@ def test_what_crosses_is_parted_before_another_matching_is_tried(
     assert found.parted
     assert not found.crossing
     assert found.seen.nothing
+
+
+@pytest.mark.parametrize("by", [1.2, 1.5])
+def test_what_is_parted_is_known(by: float) -> None:
+    found = parted(closing(by))
+    assert found is not None
+    curves = found.curves(TIMES[8:-8:12])
+    assert_known("outline", f"arms that lean by {by}", curves[:, ::3, 0].ravel().tolist())

@@ -14,7 +14,7 @@ from shapetween.model.outline import Outline
 from shapetween.outline import straight
 from shapetween.outline.body import Carried
 from shapetween.outline.matching import match_outer
-from shapetween.outline.straight import straightened
+from shapetween.outline.straight import _is_straight, straightened
 from shapetween.outline.unfold import unfolded
 from tests.match.shapes import polygon, rounded
 
@@ -81,3 +81,13 @@ def test_what_would_cross_stays_bent(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(straight, "pushed", crossing)
     assert straightened(body) is body
+
+
+@pytest.mark.parametrize(("bow", "straight"), [(0.003, True), (0.006, False)])
+def test_what_was_drawn_by_hand_is_straight_and_what_is_round_is_not(
+    bow: float, straight: bool
+) -> None:
+    """A side that is bowed by a few thousandths of its length, at one end."""
+    points = np.concatenate([9 * np.exp(0j) * np.linspace(0, 1, 9) + 0j])
+    points = points + 1j * 9 * bow * np.sin(np.pi * np.linspace(0, 1, 9))
+    assert _is_straight(points) == straight

@@ -15,7 +15,8 @@ TIMES = np.array([0.0, 0.3, 0.5, 1.0])
 
 
 def square(shift: float = 0.0) -> Blend:
-    return Blend(Pieces(RING, RING + np.array([2.0 + shift, 0.0]), True), np.array([[3, 2.5], [5, 2.5]]))
+    pieces = Pieces(RING, RING + np.array([2.0 + shift, 0.0]), True)
+    return Blend(pieces, np.array([[3, 2.5], [5, 2.5]]))
 
 
 @pytest.mark.parametrize("off", [-1e-12, 0.0, 1e-12])
