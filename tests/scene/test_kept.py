@@ -431,3 +431,14 @@ def test_wings_on_both_sides_of_a_body_are_no_slash() -> None:
     for area in frames(path(BOX), path(shapely.union(shapely.box(20, 20, 80, 40), wide))):
         low, _, high, _ = area.bounds
         assert low + high == pytest.approx(100, abs=0.1)
+
+
+@pytest.mark.parametrize(("flap", "alone"), [((54, 34, 90, 66), 1), ((83, 20, 99, 80), 0)])
+def test_what_fills_a_notch_is_not_cut_off_the_body(
+    flap: tuple[int, int, int, int], alone: int
+) -> None:
+    notched = shapely.box(22, 22, 80, 78).difference(shapely.box(50, 30, 80, 70))
+    body = notched if alone else shapely.box(22, 22, 80, 78)
+    found = prepared(path(shapely.box(14, 16, 94, 86)), path(body) + path(shapely.box(*flap)))
+    assert found.scene is not None
+    assert len(found.scene.roles.comers) == alone

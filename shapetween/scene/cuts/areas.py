@@ -10,6 +10,7 @@ from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found
+from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene
 
 __all__ = ["divided_areas", "families"]
@@ -21,6 +22,10 @@ COLOUR = 0.12
 #: common with the whole.
 CLOSING, LIKE = 0.12, 0.45
 
+#: Share of the convex hull of a piece that may lie in that of another one. More, and what fills a
+#: notch is cut off the body's side.
+NESTED = 0.5
+
 #: Most pieces that one divides into.
 MOST = 6
 
@@ -30,7 +35,7 @@ def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
     found: Found = {}
     for k, pieces in families(whole, parts, groups, filled=True):
         item = whole.items[k]
-        if not item.plain:
+        if not item.plain or _nested([parts.items[j] for j in pieces]):
             continue
         regions = [Region(parts.items[j].outer, parts.items[j].holes) for j in pieces]
         cells = split_alike(Region(item.outer, item.holes), regions)
@@ -39,6 +44,16 @@ def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
         made = [replace(item, rings=(c.outer, *c.holes), cut=True) for c in cells]
         found[k] = Division(made, list(zip(made, pieces.tolist(), strict=True)))
     return found
+
+
+def _nested(pieces: Sequence[Item]) -> bool:
+    """Whether a piece lies in a notch of another one: no straight cut divides them."""
+    hulls = [piece.enclosed.convex_hull for piece in pieces]
+    return any(
+        one.intersection(other).area > NESTED * min(one.area, other.area)
+        for k, one in enumerate(hulls)
+        for other in hulls[:k]
+    )
 
 
 def families(

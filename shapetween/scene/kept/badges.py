@@ -13,6 +13,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.items import Item
 from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
+from shapetween.scene.kept.wipes import unit_circle
 
 if TYPE_CHECKING:
     import shapely
@@ -41,6 +42,9 @@ ASIDE = 0.02
 
 #: Share of its reach by which what is bitten off may lie beyond it.
 BEYOND = 0.03
+
+#: Size, as a share of its reach, of a bite that is not open yet.
+POINT = 1e-9
 
 #: Power of the time that is left by which a badge is still to grow. At 1 it comes evenly, a speck
 #: for long; much larger, and it snaps.
@@ -276,11 +280,8 @@ class Bitten(Leaf):
     def _curves(self) -> tuple[Curves, tuple[int, ...]]:
         parts = [_spanning(ring.curves, self.centre) for ring in self.rings]
         if self.holds:
-            count = round(2 * np.pi / SPAN)
-            ends = -2 * np.pi * np.arange(count + 1) / count
-            thirds = ends[:-1, None] + np.diff(ends)[:, None] * np.arange(4) / 3
-            round_it = np.stack([np.cos(thirds), np.sin(thirds)], axis=-1)
-            parts.append(self.centre + 1e-9 * self.reach.min() * round_it)
+            hole = Outline(unit_circle(round(2 * np.pi / SPAN))).reversed().curves
+            parts.append(self.centre + POINT * self.reach.min() * hole)
         return np.concatenate(parts), tuple(len(part) for part in parts)
 
     @property

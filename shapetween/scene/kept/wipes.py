@@ -15,7 +15,7 @@ from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import OfTrack
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped", "extent_along"]
+__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped", "extent_along", "unit_circle"]
 
 #: Share of the time that a slot opens in, in which it opens round. Longer, and there is
 #: a speck for long.
@@ -115,6 +115,24 @@ def extent_along(rings: Sequence[Outline], ahead: Points) -> tuple[float, float]
     """Where rings begin and end along a direction: a line there cuts nothing off their curves."""
     places = np.concatenate([_one_way(ring.curves, ahead)[:, [0, 3]] for ring in rings]) @ ahead
     return float(places.min()), float(places.max())
+
+
+def unit_circle(count: int) -> Curves:
+    """A circle about the origin as so many curves, clockwise as drawn."""
+    angle = 2 * np.pi * np.arange(count + 1) / count
+    points = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    points[-1] = points[0]
+    handles = 4 / 3 * np.tan(np.pi / 2 / count) * np.stack([-points[:, 1], points[:, 0]], axis=-1)
+    curves = np.stack(
+        [
+            points[:-1],
+            points[:-1] + handles[:-1],
+            points[1:] - handles[1:],
+            points[1:],
+        ],
+        axis=1,
+    )
+    return Outline(curves).clockwise().curves
 
 
 def _straight(start: Points, end: Points) -> Curves:
