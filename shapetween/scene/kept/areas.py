@@ -334,7 +334,8 @@ def _tracks(
     near = [sides[0][k] for k in beside[0]], [sides[1][k] for k in beside[1]]
     badges = badges_of(laid, near, scale)
     bitten = [piece for badge in badges for piece in badge.pieces]
-    moved = tracks_of_pieces(laid, bars, bitten, bound[0], bound[1], REACH * scale)
+    lone = len({*holes[0], *holes[1]} - paired)
+    moved = tracks_of_pieces(laid, bars, bitten, bound[0], bound[1], lone, REACH * scale)
     if moved is None:
         return None
     taken: Family = ([], [])

@@ -73,6 +73,7 @@ def tracks_of_pieces(
     bitten: Collection[Piece],
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
+    lone: int,
     reach: float,
 ) -> tuple[CurveTrack, ...] | None:
     """Tracks of what is kept, first its largest ring, and of all pieces.
@@ -86,6 +87,8 @@ def tracks_of_pieces(
         What badges bite off, which is moved with those.
     first, second : mapping of int to Outline
         Rings of both areas but for loose holes, as they are drawn, by their numbers.
+    lone : int
+        How many loose holes open or close by themselves.
     reach : float
         Distance within which outlines are one.
 
@@ -110,7 +113,9 @@ def tracks_of_pieces(
     openings = [lone_void(laid.rings_of(piece)[0], piece.comes) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
     large = max(areas) > LARGE * laid.kept.area
-    if large and not any(groups) and not all(_stands(piece, laid) for piece in rest):
+    # A hole that opens to the outside is none by itself: outlines alone would leave it out.
+    whole = len(openings) == lone
+    if large and whole and not any(groups) and not all(_stands(piece, laid) for piece in rest):
         outlines = outline_tracks(first, second, laid.snapped.stretches, reach)
         if outlines is not None:
             return (*outlines, *openings)
