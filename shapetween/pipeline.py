@@ -32,6 +32,7 @@ from shapetween.scene.kept.areas import kept_areas
 from shapetween.scene.limbs import with_limbs
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
+from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
@@ -299,7 +300,7 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
         return True
     if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
         return False
-    if turns_over(one, other):
+    if turns_over(one, other) or mouth_track(one, other) is not None:
         return False
     places = [Places(item.outer.clockwise()) for item in (one, other)]
     if anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is not None:

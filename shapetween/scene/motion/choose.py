@@ -26,6 +26,7 @@ from shapetween.scene.motion.calm import calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
+from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces, Places, cut_alike
@@ -150,6 +151,9 @@ def _closed(
     first, second = ends.first, ends.second
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     one, other = ends.forms
+    opening = mouth_track(first, second)
+    if opening is not None:
+        return (opening,), ()
     if isinstance(one, RoundedBox) and isinstance(other, RoundedBox):
         outer = box_blend(one, other, *places)
         return (outer, *hole_tracks(first, second, outer)), ()
