@@ -13,7 +13,7 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
-from shapetween.scene.kept.strips import Strip
+from shapetween.scene.kept.strips import Strip, Tip
 from shapetween.scene.kept.voids import lone_void
 from shapetween.scene.kept.wipes import Telescoped, Wiped, extent_along
 from shapetween.scene.motion.tracks import Blend
@@ -52,6 +52,13 @@ GAP = 0.8
 #: Share of a slash that may be missing in the area that has it, and least share of the strips along
 #: it that are cleared for it. Less, and wings that a body gets on both sides are a slash.
 BARRED, CLEARED = 0.03, 0.12
+
+#: How far from the middle of a bar's end, along and aside, in halves of its width, nothing is drawn
+#: if that is round: 0.71 is on a round end, 1 at the corner of a square one.
+CORNER = 0.85
+
+#: Cosine of the angle of a stroke and of the bar that it is drawn with. Smaller, and tips leave it.
+ALONG = 0.999
 
 #: Least ratio of what a piece touches and what is free of it, for it to be a notch.
 NOTCH = 2.0
@@ -213,10 +220,46 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     reaches = [bar.ends, *(extent_along(own, bar.ahead) for own in rings)]
     low, high = min(low for low, _ in reaches), max(high for _, high in reaches)
     ends = (low, high) if bar.comes else (high, low)
+    stroke = _round_stroke([p for p in group if p.comes == bar.comes], laid)
+    if stroke is None or float(stroke.ahead @ bar.ahead) < ALONG:
+        return [
+            Strip(own, bar.ahead, ends, p.comes == bar.comes)
+            for p, own in zip(group, rings, strict=True)
+        ]
+    reach = (stroke.length / 2 - stroke.half) * stroke.ahead
+    centres = np.stack([stroke.centre - reach, stroke.centre + reach])
+    first, last = ((centres @ bar.ahead - low) / (high - low)).tolist()
+    # The stroke's own strips, whose ends have the body's form, follow behind its tip.
+    behind = 2 * stroke.half
     return [
-        Strip(own, bar.ahead, ends, p.comes == bar.comes)
-        for p, own in zip(group, rings, strict=True)
+        *(
+            Strip(own, bar.ahead, (ends[0] - behind, ends[1] - behind), behind=True)
+            if p.comes == bar.comes
+            else Strip(own, bar.ahead, ends, behind=False)
+            for p, own in zip(group, rings, strict=True)
+        ),
+        Tip(centres, stroke.half, (first, last), bar.comes),
     ]
+
+
+def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:
+    """The bar that pieces are parts of together, if both its ends are round."""
+    import shapely
+
+    if not pieces:
+        return None
+    bar = bar_of(shapely.union_all([piece.area for piece in pieces]).convex_hull)
+    if bar is None:
+        return None
+    whole = shapely.union_all([laid.kept, *(piece.area for piece in pieces)])
+    normal = np.array([-bar.ahead[1], bar.ahead[0]])
+    near = CORNER * bar.half
+    corners = [
+        bar.centre + along * (bar.length / 2 - bar.half + near) * bar.ahead + aside * near * normal
+        for along in (-1, 1)
+        for aside in (-1, 1)
+    ]
+    return None if whole.intersects(shapely.MultiPoint(corners)) else bar
 
 
 def _at_contact(piece: Piece, laid: Overlay) -> CurveTrack:

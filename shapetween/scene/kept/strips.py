@@ -6,11 +6,12 @@ from functools import cached_property
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.geometry.bezier import evaluate
+from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
+from shapetween.scene.kept.wipes import unit_circle
 
-__all__ = ["Strip"]
+__all__ = ["Strip", "Tip"]
 
 #: Steps of the time on which strips begin and end to go. More, and files are longer, for every such
 #: moment is written down; fewer, and strips side by side are seen to end at different places.
@@ -19,6 +20,9 @@ STEPS = 24
 #: The time in which what is left of a strip at last becomes a point. Longer, and crumbs are seen;
 #: shorter, and it jumps.
 LAST = 0.008
+
+#: Size of a round tip, as a share of the bar's width: in the bar's own end nothing is seen of it.
+WITHIN = 0.99
 
 #: Share of a strip's width within which its sides are one line along it. Larger, and round ends are
 #: taken for sides; smaller, and what rounding has turned a little is none.
@@ -112,3 +116,54 @@ class Strip(Leaf):
         shrunk = middle + size / least * (sliver - middle)
         shorter = self._far + size * (self._whole - self._far)
         return np.asarray(np.where(size < least, shrunk, shorter))
+
+
+@dataclass(frozen=True, eq=False)
+class Tip(Leaf):
+    """A bar with round ends that is drawn: it covers where the strips of it end on the way.
+
+    Attributes
+    ----------
+    centres : (2, 2) float64
+        Of the bar's two round ends.
+    half : float
+        Half the bar's width.
+    ends : (float, float)
+        Where those are, as shares of the way of the bar's end.
+    comes : bool
+        Whether the bar is drawn, else undrawn.
+    """
+
+    centres: Points
+    half: float
+    ends: tuple[float, float]
+    comes: bool
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one ring."""
+        return (6,)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """It is closed."""
+        return (True,)
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, 6, 4, 2)."""
+        begins = max(round(self.ends[0] * STEPS), 1) / STEPS
+        stops = max(min(round(self.ends[1] * STEPS), STEPS), round(begins * STEPS) + 1) / STEPS
+        drawn = t if self.comes else 1 - t
+        way = np.clip((drawn - begins) / (stops - begins), 0.0, 1.0)[:, None]
+        size = WITHIN * self.half * np.clip(drawn / begins, 0.0, 1.0)
+        along = self.centres[1] - self.centres[0]
+        ahead = along / np.hypot(*along)
+        # Quarters of a circle, from straight ahead on; the second and third are round the start.
+        quarters = unit_circle(4) @ np.stack([ahead, np.array([-ahead[1], ahead[0]])])
+        ends = np.repeat(self.centres[None, 0], 4, axis=0)[None] + np.zeros((len(t), 1, 1))
+        ends[:, [0, 3]] += (way * along)[:, None]
+        arcs = ends[:, :, None] + size[:, None, None, None] * quarters
+        sides = line_curves(arcs[:, [0, 2], 3], arcs[:, [1, 3], 0])
+        return np.stack(
+            [arcs[:, 0], sides[:, 0], arcs[:, 1], arcs[:, 2], sides[:, 1], arcs[:, 3]], axis=1
+        )
