@@ -17,6 +17,7 @@ from shapetween.fill.track import FillTrack, fills_of
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
+from shapetween.scene.borders import bordered_tracks
 from shapetween.scene.exchange import exchange_goings, exchange_roles, too_different
 from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.going import Going
@@ -144,6 +145,9 @@ def move_scene(
             found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
             tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
             notices += more
+        if not (pinned or still or exchange or frame is not None):
+            for k, one in bordered_tracks(a, b, roles, tracks).items():
+                tracks[k] = tuple(map(Shared, one))
         hosts = (
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
