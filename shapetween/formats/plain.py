@@ -27,15 +27,18 @@ def plain_style(style: Style) -> Style:
     return replace(style, opacity=opacity, groups=())
 
 
-def group_losses(movements: Sequence[Movement], form: str) -> list[str]:
-    """What of groups is left out, one line each; `form` is what messages call the format."""
+def group_losses(movements: Sequence[Movement], form: str, *, composed: bool = False) -> list[str]:
+    """What of groups is left out, one line each; `form` is what messages call the format.
+
+    One that is `composed` draws a group apart: its masks and its opacity are kept.
+    """
     losses = []
     for movement in movements:
         members: dict[object, int] = {}
         for number, part in enumerate(movement.parts, start=1):
             groups = {group for t in LOOKED for group in part.style(t).groups}
             name = part.name or f"part {number}"
-            if any(group.masks for group in groups):
+            if any(group.masks for group in groups) and not composed:
                 losses.append(f"{name}: its mask is left out in {form}")
             if any(group.filter is not None for group in groups):
                 losses.append(f"{name}: its filter is left out in {form}")
@@ -43,7 +46,7 @@ def group_losses(movements: Sequence[Movement], form: str) -> list[str]:
                 losses.append(f"{name}: its blend mode is left out in {form}")
             for key in {group.key for group in groups if group.opacity < 1}:
                 members[key] = members.get(key, 0) + 1
-        if any(count > 1 for count in members.values()):
+        if any(count > 1 for count in members.values()) and not composed:
             losses.append(f"shapes of one group fade each by itself in {form}")
     return losses
 

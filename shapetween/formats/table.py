@@ -144,6 +144,7 @@ FEATURES = (
 
 _OWN = FEATURES[:4]  # what any format has that knows paths and paint
 _GROUPS = FEATURES[4:8]
+_COMPOSED = FEATURES[:6]  # where groups are drawn apart, and masks are mattes
 _PAGE = (*_OWN, *_GROUPS, FEATURES[8])
 _FLAT = (*_OWN, *_GROUPS, FEATURES[9])
 
@@ -162,8 +163,9 @@ def _writers() -> Iterator[Writer]:
         yield Writer(ending, f"moving pictures ({ending})", home, _FILM, True, _FLAT)
     keyed = (*_TIMING, "keyframes", "precision")
     lottie = "shapetween.formats.lottie.writer"
-    yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed, keeps=_OWN)
-    yield Writer(".lottie", "a packed Lottie animation", f"{lottie}:dot_lottie", keyed, keeps=_OWN)
+    yield Writer(".json", "a Lottie animation", f"{lottie}:lottie", keyed, keeps=_COMPOSED)
+    packed = "a packed Lottie animation"
+    yield Writer(".lottie", packed, f"{lottie}:dot_lottie", keyed, keeps=_COMPOSED)
     home = "shapetween.formats.css:css"
     yield Writer(".css", "a style sheet", home, (*keyed, "size", "css"), keeps=FEATURES[8:9])
     home = "shapetween.formats.android:vector_drawable"

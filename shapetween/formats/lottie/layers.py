@@ -1,35 +1,42 @@
 """One movement as layers of Lottie, straight in its own time."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from shapetween.formats.grid import Grid
 from shapetween.formats.keyed import Keyed, keyed
+from shapetween.formats.lottie.groups import Compositions, Frame, frame_size, in_order
 from shapetween.formats.lottie.paints import paint_losses, painted, visible
-from shapetween.formats.lottie.properties import Json, fixed, moving, moving_values, short
+from shapetween.formats.lottie.properties import (
+    SIDE,
+    Json,
+    moving,
+    moving_values,
+    short,
+    transform,
+)
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import plain_styles
 from shapetween.model.movement import Movement
+from shapetween.model.paint import Style
 from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 
-__all__ = ["SIDE", "leg_layers", "transform"]
-
-#: The larger side of the composition in pixels; a smaller one would be rounded to an odd shape,
-#: for its sides must be whole numbers.
-SIDE = 1000
+__all__ = ["leg_layers"]
 
 #: Times at which paint is looked at: it changes evenly, and slower than shapes.
 PAINT_TIMES = np.linspace(0.0, 1.0, 31)
 
-#: A style's times are kept inside these, where it has all it needs on the way.
-INSIDE = (1e-6, 1 - 1e-6)
+#: The same, where a style has all it needs on the way.
+INNER = np.clip(PAINT_TIMES, 1e-6, 1 - 1e-6).tolist()
 
 
 def leg_layers(
-    movement: Movement, grid: Grid, options: WriteOptions, length: float
-) -> tuple[list[Json], list[str]]:
-    """Layers from the top one down, and what they do not hold.
+    movement: Movement, grid: Grid, options: WriteOptions, length: float, name: str
+) -> tuple[list[Json], list[Json], list[str]]:
+    """Layers from the top one down, the compositions that they show, and what they do not hold.
 
     Parameters
     ----------
@@ -38,37 +45,33 @@ def leg_layers(
     options : WriteOptions
     length : float
         Frames from its start to its end; a last frame, after those, still shows the end.
+    name : str
+        What names of its compositions begin with.
     """
-    layers: list[Json] = []
     losses: list[str] = []
+
+    def drawn(part: Part, title: str, own: Sequence[Style] | None = None) -> list[Json]:
+        styles = plain_styles(part, INNER) if own is None else list(own)
+        made, lost = _part_layers(part, styles, title, grid, options, length)
+        losses.extend(f"{title}: {loss}" for loss in lost)
+        return made
+
+    groups = Compositions(movement, INNER, Frame(name, length, frame_size(grid.box)), drawn)
+    layers: list[Json] = []
     for number, part in enumerate(movement.parts, start=1):
-        name = part.name or f"part {number}"
-        made, lost = _part_layers(part, name, grid, options, length)
-        layers += made
-        losses += [f"{name}: {loss}" for loss in lost]
-    layers.reverse()
-    for index, layer in enumerate(layers, start=1):
-        layer["ind"] = index
-    return layers, losses
-
-
-def transform(scale: float = 100.0, opacity: Json | None = None) -> Json:
-    """A transform that only scales, in percent."""
-    size = short(scale, 7)
-    return {
-        "o": opacity or fixed(100),
-        "r": fixed(0),
-        "p": fixed([0, 0]),
-        "a": fixed([0, 0]),
-        "s": fixed([size, size]),
-    }
+        groups.add(layers, number - 1, part.name or f"part {number}")
+    return in_order(layers), groups.assets, [*losses, *groups.losses]
 
 
 def _part_layers(
-    part: Part, name: str, grid: Grid, options: WriteOptions, length: float
+    part: Part,
+    styles: Sequence[Style],
+    name: str,
+    grid: Grid,
+    options: WriteOptions,
+    length: float,
 ) -> tuple[list[Json], list[str]]:
-    """A layer for each kind of paint that a part has in its time."""
-    styles = plain_styles(part, np.clip(PAINT_TIMES, *INSIDE).tolist())
+    """A layer for each kind of paint that a part has in its time, as it is at samples of that."""
     if not visible(styles):
         return [], []
     keys = keyed(part, options, max(grid.box.width, grid.box.height))

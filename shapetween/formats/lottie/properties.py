@@ -7,9 +7,13 @@ import numpy as np
 from shapetween.base.arrays import Floats
 from shapetween.timing.keyframes import keyframes
 
-__all__ = ["Json", "fixed", "moving", "moving_values", "short"]
+__all__ = ["SIDE", "Json", "fixed", "moving", "moving_values", "short", "transform"]
 
 Json: TypeAlias = dict[str, Any]
+
+#: The larger side of the composition in pixels; a smaller one would be rounded to an odd shape,
+#: for its sides must be whole numbers.
+SIDE = 1000
 
 #: Handles of a straight way between two keyframes.
 STRAIGHT: Json = {"o": {"x": 0, "y": 0}, "i": {"x": 1, "y": 1}}
@@ -53,3 +57,15 @@ def moving(track: Floats, frames: Floats, tolerance: float, decimals: int) -> Js
     picks = keyframes(rows[:, :, None], frames, tolerance)
     values = [[short(v, decimals) for v in row] for row in np.asarray(rows[picks]).tolist()]
     return moving_values(frames[picks], values)
+
+
+def transform(scale: float = 100.0, opacity: Json | None = None) -> Json:
+    """A transform that only scales, in percent."""
+    size = short(scale, 7)
+    return {
+        "o": opacity or fixed(100),
+        "r": fixed(0),
+        "p": fixed([0, 0]),
+        "a": fixed([0, 0]),
+        "s": fixed([size, size]),
+    }

@@ -14,8 +14,9 @@ import numpy as np
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.version import installed_version
 from shapetween.formats.grid import grid_of
-from shapetween.formats.lottie.layers import SIDE, leg_layers, transform
-from shapetween.formats.lottie.properties import FRAME_DECIMALS, Json, short
+from shapetween.formats.lottie.groups import frame_size
+from shapetween.formats.lottie.layers import leg_layers
+from shapetween.formats.lottie.properties import FRAME_DECIMALS, Json, short, transform
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import colour_losses, group_losses
 from shapetween.formats.table import Segments, Written
@@ -70,15 +71,15 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
     # Players show nothing at the very end; where it is not the start, one frame more shows it.
     starts_over = options.loop == "alternate" or (options.loop == "repeat" and segments.closed)
     end = short(whole if starts_over else whole + 1, FRAME_DECIMALS)
-    side = max(box.width, box.height)
+    width, height = frame_size(box)
     root: Json = {
         "v": "5.7.0",
         "ver": 10000,
         "fr": FRAMES_A_SECOND,
         "ip": 0,
         "op": end,
-        "w": max(1, round(SIDE * box.width / side)),
-        "h": max(1, round(SIDE * box.height / side)),
+        "w": width,
+        "h": height,
         "nm": segments.name,
         "ddd": 0,
         "assets": [],
@@ -86,15 +87,16 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
         "markers": [*_markers(plan), {"cm": "reduced motion", "tm": 0, "dr": 1}],
     }
     made = [
-        leg_layers(movement, grid, options, way * FRAMES_A_SECOND)
-        for movement, way in zip(movements, ways, strict=True)
+        leg_layers(movement, grid, options, way * FRAMES_A_SECOND, f"leg {k}")
+        for k, (movement, way) in enumerate(zip(movements, ways, strict=True))
     ]
+    root["assets"] = [asset for _, assets, _ in made for asset in assets]
     plain = len(movements) == 1 and options.loop == "once" and options.hold == 0
     if plain and handles_of(options.easing) == LINEAR:
         root["layers"] = made[0][0]
     else:
-        root["assets"] = [
-            {"id": f"leg {k}", "layers": layers} for k, (layers, _) in enumerate(made)
+        root["assets"] += [
+            {"id": f"leg {k}", "layers": layers} for k, (layers, _, _) in enumerate(made)
         ]
         iterations = [
             (k, iteration) for k in range(len(movements)) for iteration in plan.iterations(k)
@@ -104,8 +106,8 @@ def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[s
             _remapped(index, leg, iteration, root, options, ends=iteration.until == last)
             for index, (leg, iteration) in enumerate(iterations, start=1)
         ]
-    lost = [*colour_losses(movements, "Lottie"), *group_losses(movements, "Lottie")]
-    return root, [*lost, *(loss for _, losses in made for loss in losses)]
+    lost = [*colour_losses(movements, "Lottie"), *group_losses(movements, "Lottie", composed=True)]
+    return root, [*lost, *(loss for _, _, losses in made for loss in losses)]
 
 
 def _remapped(

@@ -28,7 +28,7 @@ from shapetween.svg.write.groups import (
     soft_mask,
 )
 
-__all__ = ["Member", "add_parts", "group_tracks", "members_of", "paths_of"]
+__all__ = ["Member", "add_parts", "group_tracks", "mask_parts", "members_of", "paths_of"]
 
 AddPart = Callable[[ET.Element, Part, dict[str, str]], None]
 
@@ -214,10 +214,7 @@ def _mask(
     shares = np.array([group.share for group in track])
     fades = bool((shares < 1).any())
     mask = track[0].masks[index]
-    parts = []
-    for k in range(len(mask.shapes)):
-        shapes = tuple(group.masks[index].shapes[k] for group in track)
-        parts.append(Part("", (_MaskTrack(shapes, times),), _MaskPaint(shapes, times)))
+    parts = mask_parts(track, index, times)
     if mask.plain and not fades:
         element, url = defs.reserve("clipPath", {})
         for part in parts:
@@ -230,6 +227,15 @@ def _mask(
     for part in parts:
         add_part(inner, part, {})
     return "mask", url
+
+
+def mask_parts(track: Sequence[Group], index: int, times: Floats) -> list[Part]:
+    """The shapes of one of a group's masks through time, the group being at samples (S,)."""
+    parts = []
+    for k in range(len(track[0].masks[index].shapes)):
+        shapes = tuple(group.masks[index].shapes[k] for group in track)
+        parts.append(Part("", (_MaskTrack(shapes, times),), _MaskPaint(shapes, times)))
+    return parts
 
 
 @dataclass(frozen=True, slots=True, eq=False)
