@@ -180,6 +180,9 @@ def test_what_cannot_be_done_is_said(
 def test_warnings_are_said_unless_nobody_looks_on(
     inkex: Path, drawing: Path, tmp_path: Path
 ) -> None:
+    # A kangaroo is matched with some certainty, an elephant with little.
+    text = drawing.read_text("utf-8").replace(data("kangaroo"), data("elephant"))
+    drawing.write_text(text, "utf-8")
     words = ("--id=horse", "--id=kangaroo", "--steps=1")
     said = [
         extension(inkex, tmp_path / "ext", drawing, *words, **quiet).stderr
