@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from shapetween.base.errors import ShapetweenError
+from shapetween.batch.entry import Entry
+from shapetween.batch.page import page_html
 from shapetween.io import files
 
-__all__ = ["Entry", "Ledger"]
+__all__ = ["Ledger"]
 
-Entry = dict[str, Any]
 """An outcome as plain values, as the summary has it."""
 
 #: Columns of the table that are summed up, or taken at their worst, over a report's rings.
@@ -73,8 +74,6 @@ class Ledger:
         files.write_text(self.full, json.dumps({"pairs": listed}, indent=1) + "\n")
         files.write_text(self.table, _table(listed))
         if self._page is not None:
-            from shapetween.batch.page import page_html
-
             files.write_text(self._page, page_html(listed, self.folder.resolve().name))
         self._journal.unlink(missing_ok=True)
 

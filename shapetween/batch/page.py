@@ -7,7 +7,7 @@ from importlib import resources
 from pathlib import PurePath
 from urllib.parse import quote
 
-from shapetween.batch.ledger import Entry
+from shapetween.batch.entry import Entry
 
 __all__ = ["page_html"]
 

@@ -9,8 +9,9 @@ from itertools import chain, islice
 from pathlib import Path
 
 from shapetween.base.errors import OptionError, ShapetweenError
+from shapetween.batch.entry import Entry
 from shapetween.batch.jobs import Job, check_jobs
-from shapetween.batch.ledger import Entry, Ledger
+from shapetween.batch.ledger import Ledger
 from shapetween.batch.processes import process_pool
 from shapetween.batch.work import Made, Task, Unmade, make
 from shapetween.io import files

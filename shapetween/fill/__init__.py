@@ -3,5 +3,5 @@
 `regions` are the pieces of a fill, each with its holes, `pairing` says which becomes which, and
 `splitting` cuts one that becomes several. `morph` moves each pair by `shapetween.outline`; a hole
 or piece without counterpart is an `appearing` region, a `small` contour is only blended, and
-`parts` is what comes of all.
+`track` is what comes of all.
 """

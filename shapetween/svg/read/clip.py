@@ -26,7 +26,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, FillRule, Style
 from shapetween.svg.read.area import stroked_area
 from shapetween.svg.read.cssshape import css_shape
-from shapetween.svg.read.document import Document, label
+from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import rings_of
 from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.painting import fill_rule
@@ -34,7 +34,7 @@ from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.shapes import SHAPES
 from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.walk import entered, object_box, walk
-from shapetween.svg.read.xml import local_name
+from shapetween.svg.read.xml import label, local_name
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry

@@ -2,11 +2,12 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 from xml.etree.ElementTree import Element
 
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.paint import Colour, Stop
+from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.limits import Limits
 from shapetween.svg.read.pathdata import PathData
 from shapetween.svg.read.queries import Medium
@@ -15,10 +16,7 @@ from shapetween.svg.read.units import GREATEST, Viewport
 from shapetween.svg.read.viewbox import parse_view_box
 from shapetween.svg.read.xml import XLINK, local_name, parse_xml
 
-if TYPE_CHECKING:
-    from shapetween.svg.read.frames import Placed
-
-__all__ = ["Document", "Fonts", "Losses", "Pictures", "href", "label", "title_of"]
+__all__ = ["Document", "Fonts", "Losses", "Pictures", "href", "title_of"]
 
 Pictures: TypeAlias = Callable[[str], str | None]
 """The ``data:`` address of a picture beside the document for its own address; None if it cannot be
@@ -216,17 +214,6 @@ def _medium(root: Element) -> Medium:
 def href(element: Element) -> str:
     """The address an element refers to, empty if it has none."""
     return (element.get("href") or element.get(f"{{{XLINK}}}href") or "").strip()
-
-
-def label(element: Element) -> str:
-    """What an element is called: its id, else the label its drawing program gave it."""
-    return (
-        element.get("id")
-        or element.get("{http://www.inkscape.org/namespaces/inkscape}label")
-        or element.get("data-name")
-        or element.get("aria-label")
-        or ""
-    ).strip()
 
 
 def title_of(root: Element) -> str:

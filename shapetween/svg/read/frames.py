@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
 from shapetween.base.arrays import Affine, Points
-from shapetween.svg.read.document import label
 from shapetween.svg.read.style import Properties
 from shapetween.svg.read.units import Viewport
+from shapetween.svg.read.xml import label
 
 __all__ = ["Frame", "Layer", "Placed"]
 

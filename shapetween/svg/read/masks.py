@@ -19,10 +19,10 @@ from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Mask
 from shapetween.model.paint import Colour, Gradient, Paint
 from shapetween.svg.read.clip import CLIP_WORK, Clipper, Region
-from shapetween.svg.read.document import Document, label
+from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer, Placed
 from shapetween.svg.read.walk import object_box, walk
-from shapetween.svg.read.xml import local_name
+from shapetween.svg.read.xml import label, local_name
 
 __all__ = ["Masker"]
 

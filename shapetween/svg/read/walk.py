@@ -14,7 +14,7 @@ from shapetween.geometry.affine import IDENTITY, compose, mapped, mean_scale
 from shapetween.model.drawing import Box
 from shapetween.svg.read.colours import parse_paint
 from shapetween.svg.read.csstransform import TRANSFORMS, css_transform
-from shapetween.svg.read.document import Document, label
+from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.placing import (
     GROUPS,
@@ -32,7 +32,7 @@ from shapetween.svg.read.style import Properties
 from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.transform import parse_transform
 from shapetween.svg.read.units import number
-from shapetween.svg.read.xml import local_name
+from shapetween.svg.read.xml import label, local_name
 
 __all__ = ["entered", "object_box", "walk"]
 

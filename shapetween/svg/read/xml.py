@@ -14,7 +14,7 @@ from xml.parsers import expat
 from shapetween.base.errors import BudgetError, InputError
 from shapetween.svg.read.limits import Limits
 
-__all__ = ["SVG", "XLINK", "local_name", "parse_xml"]
+__all__ = ["SVG", "XLINK", "label", "local_name", "parse_xml"]
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"
@@ -176,3 +176,14 @@ def _parsed(text: str, name: str, limits: Limits) -> Element:
     except (ValueError, AssertionError) as error:
         raise InputError(name, f"is not well-formed XML: {error}") from None
     return root
+
+
+def label(element: Element) -> str:
+    """What an element is called: its id, else the label its drawing program gave it."""
+    return (
+        element.get("id")
+        or element.get("{http://www.inkscape.org/namespaces/inkscape}label")
+        or element.get("data-name")
+        or element.get("aria-label")
+        or ""
+    ).strip()
