@@ -396,10 +396,14 @@ def test_a_slash_that_takes_a_corner_off_is_drawn_too_and_the_rest_stands_still(
     comb = shapely.union_all([BOX, *(shapely.box(x, 8, x + 4, 20) for x in range(36, 80, 8))])
     after = shapely.union(comb.difference(corner), bar)
     kept = shapely.intersection(comb, after)
-    tips = []
+    tips: list[float] = []
     for area in frames(path(comb), path(after)):
         assert kept.difference(area).area < 0.05
         assert area.difference(shapely.union(comb, bar)).area < 0.05
+        # What is before the tip stands still: nothing is drawn along into a claw.
+        tip = (9.2 + 81.7 * len(tips) / 8) * 2
+        ahead = shapely.Polygon([(tip + 8, 0), (300, 0), (0, 300), (0, tip + 8)])
+        assert comb.intersection(ahead).difference(area).area < 1
         tips.append(bar.difference(comb).intersection(area).area)
     assert np.diff(tips).min() > -1e-6
     assert tips[0] < 0.01

@@ -214,6 +214,8 @@ def _blend(source: Curves, target: Curves) -> Blend:
 
 def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     """Pieces wiped as a bar is drawn, or undrawn."""
+    import shapely
+
     if not group:
         return []
     rings = [laid.rings_of(p) for p in group]
@@ -221,25 +223,24 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     low, high = min(low for low, _ in reaches), max(high for _, high in reaches)
     ends = (low, high) if bar.comes else (high, low)
     stroke = _round_stroke([p for p in group if p.comes == bar.comes], laid)
-    if stroke is None or float(stroke.ahead @ bar.ahead) < ALONG:
-        return [
-            Strip(own, bar.ahead, ends, p.comes == bar.comes)
-            for p, own in zip(group, rings, strict=True)
-        ]
-    reach = (stroke.length / 2 - stroke.half) * stroke.ahead
-    centres = np.stack([stroke.centre - reach, stroke.centre + reach])
-    first, last = ((centres @ bar.ahead - low) / (high - low)).tolist()
+    tipped = stroke is not None and float(stroke.ahead @ bar.ahead) > ALONG
     # The stroke's own strips, whose ends have the body's form, follow behind its tip.
-    behind = 2 * stroke.half
-    return [
-        *(
-            Strip(own, bar.ahead, (ends[0] - behind, ends[1] - behind), behind=True)
-            if p.comes == bar.comes
-            else Strip(own, bar.ahead, ends, behind=False)
-            for p, own in zip(group, rings, strict=True)
-        ),
-        Tip(centres, stroke.half, (first, last), bar.comes),
-    ]
+    behind = 2 * stroke.half if stroke is not None and tipped else 0.0
+    tracks: list[CurveTrack] = []
+    for p, own in zip(group, rings, strict=True):
+        if p.comes == bar.comes:
+            late = ends[0] - behind, ends[1] - behind
+            tracks.append(Strip(own, bar.ahead, late, behind=True))
+        elif bar.holds(shapely.get_coordinates(p.area)):
+            tracks.append(Strip(own, bar.ahead, ends, behind=False))
+        else:  # It is no strip: what becomes of one is a claw of it.
+            tracks.append(Wiped(own, bar.ahead, ends, behind=False))
+    if stroke is not None and tipped:
+        reach = (stroke.length / 2 - stroke.half) * stroke.ahead
+        centres = np.stack([stroke.centre - reach, stroke.centre + reach])
+        first, last = ((centres @ bar.ahead - low) / (high - low)).tolist()
+        tracks.append(Tip(centres, stroke.half, (first, last), bar.comes))
+    return tracks
 
 
 def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:
