@@ -206,7 +206,7 @@ def test_what_is_nowhere_near_what_goes_does_not_jump_in_half_way(tmp_path: Path
     """Brows go and a mouth comes: it is on its way when they are half as large."""
     mouth = '<path d="M7 15h10v3h-10z"/>'
     brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
-    (new,) = lone(morph(tmp_path, FACE + brows, FACE + mouth), arrives=True)
+    (new,) = lone(morph(tmp_path, FACE + EYES + brows, FACE + EYES + mouth), arrives=True)
     assert new.style(0.25).opacity == 0 < new.style(0.35).opacity
     sizes = np.array([0.0] + [float(np.ptp(box(new, t)[:, 0])) for t in (0.375, 0.5, 0.625)])
     assert np.diff(sizes).max() < 0.5 * 10
