@@ -48,6 +48,11 @@ MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
 #: it: parts of the steps on which keyframes may lie.
 MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
 
+#: Curves of all samples past which no corners of the movement are looked for: to find out when they
+#: are it is sampled hundreds of times more. More takes minutes and gigabytes; with fewer, drawings
+#: whose pieces go one after another take many more easings.
+MOST_LOOKED = 100_000
+
 
 @dataclass(frozen=True, slots=True)
 class ShapeMotion:
@@ -80,7 +85,7 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
 
     stack, rings = part.curves(np.clip(finer.time, *seen)), part.rings
     turns: tuple[float, ...] = ()
-    if clock.adaptive:
+    if clock.adaptive and stack[:, :, 0, 0].size <= MOST_LOOKED:
         every = stack.reshape(len(stack), -1, 2)
         turns = turning_times(every, finer.clock, tolerance, places)
         if turns:
