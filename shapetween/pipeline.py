@@ -25,6 +25,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
+from shapetween.scene.exchange import pierced_apart
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
@@ -207,6 +208,7 @@ def prepare(
     ]
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
     free = chosen.pairing != "loose" and not (groups or len(pins) or meshed or chosen.change)
+    free = free and chosen.matching == 1
     asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins, exchange=free)
     parts, areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += said
@@ -251,6 +253,9 @@ def _moved(
             scene = move_scene(one, other, boxes, asked, settings, names)
             return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
     lines = _lined(one, other, boxes)
+    if asked.exchange and _pierced_apart(one, other, lines, settings):
+        scene = move_scene(one, other, boxes, asked, settings, names)
+        return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
     if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
         one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
@@ -261,6 +266,22 @@ def _moved(
         return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), told, None
     scene = move_scene(one, other, boxes, asked, settings, names)
     return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+
+
+def _pierced_apart(
+    one: Sequence[Item],
+    other: Sequence[Item],
+    lines: tuple[Sequence[Item], Sequence[Item]],
+    settings: FillSettings,
+) -> bool:
+    """Whether single areas are exchanged that nobody wants a mesh of and that are no strokes."""
+    if settings.method != "projective" or settings.quads is not None or settings.folds == "allow":
+        return False
+    if not len(one) == len(other) == len(lines[0]) == len(lines[1]) == 1:
+        return False
+    if not (lines[0][0].filled and lines[1][0].filled) or turns_over(one[0], other[0]):
+        return False
+    return pierced_apart(one[0], other[0])
 
 
 def _lined(

@@ -60,6 +60,8 @@ class SceneMovement:
         By pair.
     settings : FillSettings
     frame : Frame or None
+    matched : ((Scene, Scene), Roles) or None
+        Who would become whom, of drawings that are exchanged.
     """
 
     parts: tuple[Part, ...]
@@ -69,6 +71,7 @@ class SceneMovement:
     tracks: dict[int, tuple[CurveTrack, ...]]
     settings: FillSettings
     frame: Frame | None
+    matched: tuple[tuple[Scene, Scene], Roles] | None = None
 
     @property
     def areas(self) -> tuple[FillTrack, ...]:
@@ -80,12 +83,15 @@ class SceneMovement:
         """Every pair of areas as the outline engine would move it, in the order of their roles."""
         settings = replace(self.settings, pins=np.zeros((0, 4)), claimed=Claimed(), meshed=True)
         found: list[FillTrack] = []
-        for k, role in enumerate(self.roles.pairs):
-            one = self.scenes[0].items[role.first]
-            other = self.scenes[1].items[role.second]
+        scenes, roles, tracks = self.scenes, self.roles, self.tracks
+        if self.matched is not None:
+            scenes, roles, tracks = *self.matched, {}
+        for k, role in enumerate(roles.pairs):
+            one = scenes[0].items[role.first]
+            other = scenes[1].items[role.second]
             if not (one.filled and other.filled):
                 continue
-            own = fills_of(self.tracks[k])
+            own = fills_of(tracks.get(k, ()))
             if own and self.frame is None:
                 found += own
                 continue
@@ -129,7 +135,9 @@ def move_scene(
     still = paired.still
     notices: list[Notice] = []
     exchange = asked.exchange and not kept and paired.frame is None and too_different(a, b, roles)
+    matched = None
     if exchange:
+        matched = (a, b), roles
         a, b = perceive(first, views[0]), perceive(second, views[1])
         roles = exchange_roles(a, b, roles, paired.scenes)
         notices.append(EXCHANGED_NOTICE)
@@ -169,7 +177,9 @@ def move_scene(
             named.add(part.name)
     notices += [notice for _, _, own in drawn for notice in own]
     notices += _limits(a, b, roles)
-    return SceneMovement(tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame)
+    return SceneMovement(
+        tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame, matched
+    )
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:

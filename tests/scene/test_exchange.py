@@ -162,3 +162,26 @@ def test_spots_on_wings_make_no_face_of_a_card(tmp_path: Path) -> None:
     whole = [box for box in boxes(found, 0.46) if np.ptp(box, axis=0).min() > 95]
     assert is_exchanged(found)
     assert len(whole) == 1
+
+
+LETTER_A = '<path d="M8 92L44 8h12L92 92H76l-8-22H32l-8 22zM37 58h26L50 22z" fill-rule="evenodd"/>'
+LETTER_O = (
+    '<path d="M50 30a32 32 0 0 1 0 64a32 32 0 0 1 0-64zM50 44a18 18 0 0 0 0 36a18 18 0 0 0 0-36z"/>'
+)
+LOW_O = LETTER_O.replace("32 32", "29 32").replace("18 18", "14 18")
+
+
+def test_areas_with_holes_that_are_unlike_are_exchanged(tmp_path: Path) -> None:
+    assert is_exchanged(made(tmp_path, LETTER_A, LETTER_O))
+    assert not is_exchanged(made(tmp_path, LOW_O, LETTER_O))
+
+
+@pytest.mark.parametrize("asked", [{"pairing": "loose"}, {"method": "arap"}, {"quads": 6}])
+def test_who_asks_for_a_mesh_of_them_gets_one(tmp_path: Path, asked: dict[str, Any]) -> None:
+    assert not is_exchanged(made(tmp_path, LETTER_A, LETTER_O, **asked))
+
+
+def test_drawings_that_are_exchanged_have_meshes_to_look_at(tmp_path: Path) -> None:
+    found = made(tmp_path, CAR, STAR)
+    assert is_exchanged(found)
+    assert "quads" in found.mesh_json()
