@@ -11,9 +11,9 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import OpenLine, Segment
 from shapetween.scene.relations import Scene
 
-__all__ = ["Cluster", "Hosts", "clusters_of", "contact", "is_line", "staying_parent"]
+__all__ = ["Anchors", "Cluster", "clusters_of", "contact", "is_line", "staying_parent"]
 
-Hosts = Mapping[int, Sequence[CurveTrack]]
+Anchors = Mapping[int, Sequence[CurveTrack]]
 """Tracks of the items that have partners."""
 
 #: How near the borders of two things are that touch, as a share of the drawing.
@@ -44,24 +44,24 @@ def is_line(k: int, scene: Scene) -> bool:
     return isinstance(scene.forms[k], Segment | OpenLine)
 
 
-def staying_parent(k: int, scene: Scene, hosts: Hosts) -> int | None:
+def staying_parent(k: int, scene: Scene, anchors: Anchors) -> int | None:
     """The nearest item around one that has a partner."""
     parent = int(scene.parents[k])
-    while parent >= 0 and parent not in hosts:
+    while parent >= 0 and parent not in anchors:
         parent = int(scene.parents[parent])
     return parent if parent >= 0 else None
 
 
-def clusters_of(unmatched: Sequence[int], scene: Scene, hosts: Hosts) -> list[Cluster]:
+def clusters_of(unmatched: Sequence[int], scene: Scene, anchors: Anchors) -> list[Cluster]:
     """Items without a partner, put together with those that they touch or lie in.
 
     Parameters
     ----------
     unmatched : sequence of int
     scene : Scene
-    hosts : mapping of int to sequence of CurveTrack
+    anchors : mapping of int to sequence of CurveTrack
     """
-    around = {k: staying_parent(k, scene, hosts) for k in unmatched}
+    around = {k: staying_parent(k, scene, anchors) for k in unmatched}
     own = {k: k for k in unmatched}
 
     def first(k: int) -> int:
@@ -93,7 +93,9 @@ def _together(
     return [(int(k), int(j)) for k, j in unmatched[found].tolist()]
 
 
-def contact(members: Sequence[int], host: int, scene: Scene, inside: bool) -> tuple[Points, float]:
+def contact(
+    members: Sequence[int], anchor: int, scene: Scene, inside: bool
+) -> tuple[Points, float]:
     """Where some items touch another one's area, or its border from inside: middle and length.
 
     Returns
@@ -106,7 +108,7 @@ def contact(members: Sequence[int], host: int, scene: Scene, inside: bool) -> tu
     import shapely
 
     one = shapely.union_all([scene.items[k].drawn for k in members])
-    two: Any = scene.items[host].drawn
+    two: Any = scene.items[anchor].drawn
     reach = REACH * scene.scale
     near = shapely.boundary(two).buffer(reach) if inside else two.buffer(reach)
     shared = shapely.intersection(shapely.boundary(one), near)

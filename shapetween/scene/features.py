@@ -105,7 +105,7 @@ class _Row:
 
     left: int
     right: int
-    host: int
+    anchor: int
 
 
 def features_of(scene: Scene, repeated: Sets) -> Features:
@@ -117,9 +117,9 @@ def features_of(scene: Scene, repeated: Sets) -> Features:
         sides_of_boxes = np.array([np.ptp(item.box, axis=0) for item in scene.items])
         ancestors = _ancestors(scene)
         rows = _rows(scene, repeated.counts >= REPEATED, ancestors, found.body)
-        for host in sorted({row.host for row in rows}):
-            own = [row for row in rows if row.host == host]
-            _face(scene, host, own, ancestors, sides_of_boxes, found)
+        for anchor in sorted({row.anchor for row in rows}):
+            own = [row for row in rows if row.anchor == anchor]
+            _face(scene, anchor, own, ancestors, sides_of_boxes, found)
         _wheels(scene, rows, found)
     return found
 
@@ -168,24 +168,24 @@ def _rows(scene: Scene, pattern: Mask, ancestors: Mask, body: int) -> list[_Row]
     )
     for i, j in order:
         shared = np.flatnonzero(ancestors[i] & ancestors[j])
-        host = int(shared[np.argmin(sizes[shared])]) if len(shared) else body
-        if host < 0 or host in (i, j) or size[i, j] > SMALL * sizes[host]:
+        anchor = int(shared[np.argmin(sizes[shared])]) if len(shared) else body
+        if anchor < 0 or anchor in (i, j) or size[i, j] > SMALL * sizes[anchor]:
             continue
         if not alike[i, j] and not len(shared):
             continue
-        low, high = scene.items[host].box
+        low, high = scene.items[anchor].box
         middle = (centres[i, 0] + centres[j, 0]) / 2
         width = high[0] - low[0]
-        off = abs(middle - scene.centres[host, 0])
+        off = abs(middle - scene.centres[anchor, 0])
         if off > MIDDLE * width or (len(shared) and dx[i, j] > WIDE * width):
             continue
-        rows.append(_Row(i, j, host))
+        rows.append(_Row(i, j, anchor))
     return rows
 
 
 def _face(
     scene: Scene,
-    host: int,
+    anchor: int,
     rows: list[_Row],
     ancestors: Mask,
     boxes: Floats,
@@ -193,21 +193,21 @@ def _face(
 ) -> None:
     """Write down which parts of a face each is, if it is one."""
     centres = scene.centres
-    low, high = scene.items[host].box
+    low, high = scene.items[anchor].box
     width, height = high - low
     below = np.array([0.0, BELOW * height])  # a mouth may be on what its face stands on
     within = (centres > low).all(axis=1) & (centres < high + below).all(axis=1)
-    inside = np.flatnonzero(ancestors[:, host] | (within & (np.arange(len(within)) > host)))
+    inside = np.flatnonzero(ancestors[:, anchor] | (within & (np.arange(len(within)) > anchor)))
     paired = {k for row in rows for k in (row.left, row.right)}
     between = [
         k
         for k in inside.tolist()
         if k not in paired
         and scene.outlined[k] < 0
-        and abs(centres[k, 0] - scene.centres[host, 0]) < MIDDLE * width
+        and abs(centres[k, 0] - scene.centres[anchor, 0]) < MIDDLE * width
         and boxes[k, 0] < 0.8 * width
     ]
-    eyes = _eyes(scene, host, rows, between, boxes, ancestors)
+    eyes = _eyes(scene, anchor, rows, between, boxes, ancestors)
     if eyes is None:
         return
     level = (centres[eyes.left, 1] + centres[eyes.right, 1]) / 2
@@ -223,33 +223,33 @@ def _face(
     apart = float(centres[eyes.right, 0] - centres[eyes.left, 0])
     dark = float(scene.colours[[eyes.left, eyes.right], 0].mean())
     light = scene.colours[:, 0] > dark + LIGHTER
-    _nose_and_mouth(scene, lower, host, apart, light, boxes, found)
+    _nose_and_mouth(scene, lower, anchor, apart, light, boxes, found)
 
 
 def _eyes(
     scene: Scene,
-    host: int,
+    anchor: int,
     rows: list[_Row],
     between: list[int],
     boxes: Floats,
     ancestors: Mask,
 ) -> _Row | None:
     """The row that stands out most above something in the middle."""
-    low, high = scene.items[host].box
+    low, high = scene.items[anchor].box
     best: tuple[float, _Row] | None = None
     for row in rows:
         pair = [row.left, row.right]
         y = float(scene.centres[pair, 1].mean())
-        if not ancestors[pair, host].all():
+        if not ancestors[pair, anchor].all():
             continue
-        middle = max((low[1] + high[1]) / 2, scene.centres[host, 1])
+        middle = max((low[1] + high[1]) / 2, scene.centres[anchor, 1])
         if y > middle + EYES_ABOVE * (high[1] - low[1]):
             continue
         if not any(scene.centres[k, 1] > y for k in between):
             continue
         long = float(np.log(boxes[pair, 0] / np.maximum(boxes[pair, 1], 1e-9 * scene.scale)).max())
         apart = float(scene.centres[row.right, 0] - scene.centres[row.left, 0])
-        contrast = float(np.abs(scene.colours[pair] - scene.colours[host]).sum(axis=1).mean())
+        contrast = float(np.abs(scene.colours[pair] - scene.colours[anchor]).sum(axis=1).mean())
         # Ears and cheeks are wider apart, brows longer; both stand out less.
         score = contrast - 0.5 * max(long, 0.0) - 0.8 * apart / float(high[0] - low[0])
         score = round(score, 6)
@@ -277,7 +277,7 @@ def _row_kind(
         return Feature.EYE
     if below > 0:
         compact = all(scene.items[k].closed for k in pair) and long < 2.5
-        return Feature.CHEEK if compact and ancestors[pair, row.host].all() else Feature(0)
+        return Feature.CHEEK if compact and ancestors[pair, row.anchor].all() else Feature(0)
     wide = boxes[pair, 0].min() > LONG * boxes[pair, 1].min()
     if (wide or not all(scene.items[k].closed for k in pair)) and -below < 0.35 * height:
         return Feature.BROW
@@ -287,7 +287,7 @@ def _row_kind(
 def _nose_and_mouth(
     scene: Scene,
     below: list[int],
-    host: int,
+    anchor: int,
     apart: float,
     light: Mask,
     boxes: Floats,
@@ -310,7 +310,7 @@ def _nose_and_mouth(
         k
         for k in below
         if not found.kinds[k]
-        and scene.sizes[k] < SMALL * scene.sizes[host]
+        and scene.sizes[k] < SMALL * scene.sizes[anchor]
         and (scene.parents[k] not in below or found.kinds[scene.parents[k]] == Feature.MUZZLE)
     ]
     small.sort(key=lambda k: (round(float(scene.centres[k, 1]) / scene.scale, 6), k))

@@ -24,19 +24,19 @@ STRAIGHT_RUN, RUN = 1.02, 1.25
 COLOUR, WIDER = 0.05, 1.1
 
 
-def fold_onto(k: int, host: int, side: Side) -> Fold | None:
+def fold_onto(k: int, anchor: int, side: Side) -> Fold | None:
     """How a line folds onto what both its ends lie on; None if it does not lie along that.
 
     Parameters
     ----------
     k : int
         An open line.
-    host : int
+    anchor : int
         What both its ends lie on; if it goes as well, it does so later.
     side : Side
     """
-    item, other = side.scene.items[k], side.scene.items[host]
-    tracks = side.hosts.get(host, ())
+    item, other = side.scene.items[k], side.scene.items[anchor]
+    tracks = side.anchors.get(anchor, ())
     if other.filled or len(tracks) > 1 or not opaque(other):
         return None
     if np.abs(item.colour - other.colour).max() > COLOUR or item.width > WIDER * other.width:

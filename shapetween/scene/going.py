@@ -9,7 +9,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
-from shapetween.scene.clusters import Hosts
+from shapetween.scene.clusters import Anchors
 from shapetween.scene.forms import Dot, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.fold import Fold
@@ -77,7 +77,7 @@ class Side:
     Attributes
     ----------
     scene : Scene
-    hosts : mapping of int to sequence of Track
+    anchors : mapping of int to sequence of Track
         Of the items that have partners.
     end : End
         The end at which what has no partner exists.
@@ -90,7 +90,7 @@ class Side:
     """
 
     scene: Scene
-    hosts: Hosts
+    anchors: Anchors
     end: End
     gaps: tuple[Item, ...] = ()
     only: bool = False
@@ -104,7 +104,7 @@ class Side:
         areas = np.array([item.area for item in self.scene.items])
         areas[self.scene.sheets] = 0.0
         whole = float(areas.sum())
-        stays = float(areas[list(self.hosts)].sum()) / whole if whole > 0 else 1.0
+        stays = float(areas[list(self.anchors)].sum()) / whole if whole > 0 else 1.0
         go = (APART_GO, ALL_GO) if self.apart else (GOES, ALL_GO)
         come = (APART_COME, ALL_COME) if self.apart else (COMES, ALL_COME)
         some, none = come if self.end is End.TARGET else go
@@ -113,17 +113,17 @@ class Side:
         return low, high
 
     def carry(
-        self, host: int | None, place: Points, how: Literal["in", "at", "beside"]
+        self, anchor: int | None, place: Points, how: Literal["in", "at", "beside"]
     ) -> tuple[Carry, ...]:
         """What carries a place along that lies in an item that stays, at it, or beside it.
 
         What lies in it turns and grows as it does; what is at it keeps to what it touches; what is
         beside it goes with it as a whole, or a set of such things would be torn apart.
         """
-        if host is None:
+        if anchor is None:
             return ()
         reach = self.scene.scale * (1.0 if how == "beside" else NEAR)
-        track = self.hosts[host][0]
+        track = self.anchors[anchor][0]
         return (Carry(track, place, reach, self.end, how == "in"),)
 
     def part_of(self, step: int, steps: int) -> tuple[float, float]:
@@ -143,26 +143,26 @@ def nearest_beside(members: Sequence[int], side: Side) -> int | None:
 
     scene = side.scene
     least = BIGGER * max(scene.sizes[k] for k in members)
-    hosts = [
+    anchors = [
         j
-        for j in side.hosts
+        for j in side.anchors
         if not scene.sheets[j]
         and scene.sizes[j] > least
         and not isinstance(scene.forms[j], Segment | Dot)
     ]
-    if not hosts:
+    if not anchors:
         return None
     own = shapely.union_all([scene.items[k].drawn for k in members])
-    away = shapely.distance(own, np.array([scene.items[j].drawn for j in hosts], dtype=object))
+    away = shapely.distance(own, np.array([scene.items[j].drawn for j in anchors], dtype=object))
     best = int(np.round(away / scene.scale, 6).argmin())
-    return hosts[best] if away[best] < BESIDE * scene.scale else None
+    return anchors[best] if away[best] < BESIDE * scene.scale else None
 
 
-def nearer_end(ends: Points, host: int, scene: Scene) -> int | None:
+def nearer_end(ends: Points, anchor: int, scene: Scene) -> int | None:
     """Which of two ends is nearer to an item, if one is by much."""
     import shapely
 
-    away = shapely.distance(scene.items[host].enclosed, shapely.points(ends))
+    away = shapely.distance(scene.items[anchor].enclosed, shapely.points(ends))
     length = float(np.linalg.norm(ends[1] - ends[0]))
     if abs(away[0] - away[1]) < NEARER * length:
         return None

@@ -16,8 +16,8 @@ from shapetween.base.ends import End
 from shapetween.geometry.bezier import flatten
 from shapetween.scene.asked import Change
 from shapetween.scene.clusters import (
+    Anchors,
     Cluster,
-    Hosts,
     clusters_of,
     contact,
     is_line,
@@ -69,7 +69,7 @@ SLIM = 1.6
 
 def goings_between(
     scenes: tuple[Scene, Scene],
-    hosts: tuple[Hosts, Hosts],
+    anchors: tuple[Anchors, Anchors],
     lone: tuple[Sequence[int], Sequence[int]],
     change: Change | None = None,
 ) -> tuple[dict[int, Going], dict[int, Going]]:
@@ -78,7 +78,7 @@ def goings_between(
     Parameters
     ----------
     scenes : (Scene, Scene)
-    hosts : (mapping of int to sequence of Track, ...)
+    anchors : (mapping of int to sequence of Track, ...)
         Of the items that have partners.
     lone : (sequence of int, sequence of int)
     change : str, optional
@@ -90,8 +90,8 @@ def goings_between(
     ]
     apart = _apart(scenes, lone)
     sides = (
-        Side(scenes[0], hosts[0], End.SOURCE, gaps[1], not lone[1], apart),
-        Side(scenes[1], hosts[1], End.TARGET, gaps[0], not lone[0], apart),
+        Side(scenes[0], anchors[0], End.SOURCE, gaps[1], not lone[1], apart),
+        Side(scenes[1], anchors[1], End.TARGET, gaps[0], not lone[0], apart),
     )
     first, second = (_goings(s, own, change) for s, own in zip(sides, lone, strict=True))
     timed_gaps(sides[0], sides[1], first, second)
@@ -120,7 +120,7 @@ def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> di
             clustered.append(k)
         else:
             found[k] = alone
-    for cluster in clusters_of(clustered, side.scene, side.hosts):
+    for cluster in clusters_of(clustered, side.scene, side.anchors):
         found |= _together(cluster, side)
     if change is not None:
         for k in lone:
@@ -134,14 +134,14 @@ def _by_itself(k: int, side: Side) -> Going | None:
     scene, item = side.scene, side.scene.items[k]
     if scene.sheets[k]:
         return Going(Leaving((0.0, 1.0), fades=True))
-    host = int(scene.outlined[k])
-    if host in side.hosts and item.closed:
+    anchor = int(scene.outlined[k])
+    if anchor in side.anchors and item.closed:
         thins = item.painted is None  # else it has no stroke
         leaving = Leaving(side.window, thins=thins, fades=not thins)
-        return Going(leaving, side.carry(host, item.centre, "in"))
+        return Going(leaving, side.carry(anchor, item.centre, "in"))
     if item.cut and not item.filled:
         return gap_going(k, side)
-    parent = staying_parent(k, scene, side.hosts)
+    parent = staying_parent(k, scene, side.anchors)
     if parent is not None and item.filled and scene.items[parent].filled:
         away = np.abs(scene.colours[k] - scene.colours[parent]).sum()
         if away < SHADE and scene.common(k, parent) > LIES_ON * item.area:
@@ -155,9 +155,9 @@ def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
     if lines is not None:
         return lines
     members = cluster.members
-    place, host, how = _shrinks_to(cluster, side)
+    place, anchor, how = _shrinks_to(cluster, side)
     leaving = Leaving(side.window, place, least=_least(members, side.scene))
-    return {k: Going(leaving, side.carry(host, place, how)) for k in members}
+    return {k: Going(leaving, side.carry(anchor, place, how)) for k in members}
 
 
 def _shrinks_to(
@@ -172,14 +172,16 @@ def _shrinks_to(
                 return place, parent, "in"
         return _middle(members, scene), parent, "in"
     touched = [
-        j for j in side.hosts if not scene.sheets[j] and any(scene.touching[k, j] for k in members)
+        j
+        for j in side.anchors
+        if not scene.sheets[j] and any(scene.touching[k, j] for k in members)
     ]
     if touched:
         found = {j: contact(members, j, scene, inside=False) for j in touched}
-        host = max(touched, key=lambda j: (round(found[j][1] / scene.scale, 9), -j))
-        if _behind(members, host, scene):
-            return scene.items[host].centre, host, "in"
-        return found[host][0], host, "at"
+        anchor = max(touched, key=lambda j: (round(found[j][1] / scene.scale, 9), -j))
+        if _behind(members, anchor, scene):
+            return scene.items[anchor].centre, anchor, "in"
+        return found[anchor][0], anchor, "at"
     pushed = _pushed_by(members, side)
     if pushed is not None:
         return *pushed, "at"
@@ -205,7 +207,7 @@ def _pushed_by(members: Sequence[int], side: Side) -> tuple[Points, int] | None:
         return None
     own = shapely.union_all([scene.items[k].drawn for k in members])
     found = []
-    for j, tracks in side.hosts.items():
+    for j, tracks in side.anchors.items():
         away = shapely.distance(own, scene.items[j].drawn) / scene.scale
         larger = scene.sizes[j] / max(scene.sizes[k] for k in members)
         if scene.sheets[j] or not scene.items[j].filled or not 0 < away < GAP:
@@ -219,9 +221,9 @@ def _pushed_by(members: Sequence[int], side: Side) -> tuple[Points, int] | None:
             found.append((round(away, 9), j))
     if not found:
         return None
-    host = min(found)[1]
-    line = shapely.shortest_line(own, scene.items[host].drawn)
-    return np.array(line.coords[0]), host
+    anchor = min(found)[1]
+    line = shapely.shortest_line(own, scene.items[anchor].drawn)
+    return np.array(line.coords[0]), anchor
 
 
 def _least(members: Sequence[int], scene: Scene) -> float:
@@ -242,19 +244,19 @@ def _middle(members: Sequence[int], scene: Scene) -> Points:
     return np.asarray((boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2)
 
 
-def _behind(members: Sequence[int], host: int, scene: Scene) -> bool:
+def _behind(members: Sequence[int], anchor: int, scene: Scene) -> bool:
     """Whether something looks out from behind another all around, as the rays of a sun do."""
     import shapely
 
-    if len(members) > 1 or members[0] > host or not scene.items[host].closed:
+    if len(members) > 1 or members[0] > anchor or not scene.items[anchor].closed:
         return False
     item = scene.items[members[0]]
-    box, inner = item.enclosed, scene.items[host].enclosed
-    middle = shapely.Point(scene.items[host].centre)
+    box, inner = item.enclosed, scene.items[anchor].enclosed
+    middle = shapely.Point(scene.items[anchor].centre)
     return bool(box.contains(middle) and box.area < 4 * inner.area and not item.holes)
 
 
-def _slim_end(k: int, host: int, scene: Scene) -> Points | None:
+def _slim_end(k: int, anchor: int, scene: Scene) -> Points | None:
     """The end of a slim box that points to what is beside it."""
     form = scene.forms[k]
     if not isinstance(form, RoundedBox) or form.sides.max() < SLIM * form.sides.min():
@@ -264,13 +266,13 @@ def _slim_end(k: int, host: int, scene: Scene) -> Points | None:
     if long:
         along = np.array([-along[1], along[0]])
     ends = form.centre + np.array([[-0.5], [0.5]]) * form.sides[long] * along
-    near = nearer_end(ends, host, scene)
+    near = nearer_end(ends, anchor, scene)
     return None if near is None else ends[near]
 
 
 def _asked(change: Change, going: Going, k: int, side: Side) -> Going:
     """The same time, but in the way that the user asks for."""
-    scene, item, hosts = side.scene, side.scene.items[k], side.hosts
+    scene, item, anchors = side.scene, side.scene.items[k], side.anchors
     window = going.leaving.window
     carries = going.carries[:1]
     if change == "draw" and is_line(k, scene):
@@ -278,10 +280,10 @@ def _asked(change: Change, going: Going, k: int, side: Side) -> Going:
         if kept is None:
             kept = first_end(item.outer.curves[[0, -1], [0, 3]])
         return replace(going, leaving=Leaving(window, kept=kept))
-    if change == "slide" and hosts:
-        away = np.linalg.norm(scene.centres[list(hosts)] - item.centre, axis=1)
-        larger = np.array([scene.sizes[j] >= scene.sizes[k] for j in hosts])
-        nearest = list(hosts)[int(np.where(larger, away, np.inf).argmin())]
+    if change == "slide" and anchors:
+        away = np.linalg.norm(scene.centres[list(anchors)] - item.centre, axis=1)
+        larger = np.array([scene.sizes[j] >= scene.sizes[k] for j in anchors])
+        nearest = list(anchors)[int(np.where(larger, away, np.inf).argmin())]
         return Going(Leaving(window, scene.items[nearest].centre), carries)
     if change == "fade":
         return Going(Leaving(window, fades=True), carries)

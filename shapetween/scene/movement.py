@@ -156,7 +156,7 @@ def move_scene(
         if not (pinned or still or exchange or frame is not None):
             for k, one in bordered_tracks(a, b, roles, tracks).items():
                 tracks[k] = tuple(map(Shared, one))
-        hosts = (
+        anchors = (
             {role.first: tracks[k] for k, role in enumerate(roles.pairs)},
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
@@ -166,7 +166,7 @@ def move_scene(
                 exchange_goings(b, roles.comers, End.TARGET),
             )
         else:
-            goings = goings_between((a, b), hosts, (roles.leavers, roles.comers), asked.change)
+            goings = goings_between((a, b), anchors, (roles.leavers, roles.comers), asked.change)
         parts: list[Part] = []
         named: set[str] = set()
         drawn = [

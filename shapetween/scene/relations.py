@@ -224,24 +224,24 @@ def _parents(items: Sequence[Item], drawn: Shapes, sheets: Mask, outlined: Index
     import shapely
 
     parents = np.full(len(items), -1, dtype=np.intp)
-    hosts = [k for k, item in enumerate(items) if item.closed and not sheets[k] and outlined[k] < 0]
-    if not hosts:
+    outer = [k for k, item in enumerate(items) if item.closed and not sheets[k] and outlined[k] < 0]
+    if not outer:
         return parents
     enclosed = np.array([item.enclosed for item in items], dtype=object)
-    around, inner = enclosed[hosts], drawn
+    around, inner = enclosed[outer], drawn
     # What an outline encloses tells where a closed line lies.
-    child, host = shapely.STRtree(around).query(inner, predicate="intersects")
+    child, holder = shapely.STRtree(around).query(inner, predicate="intersects")
     areas = shapely.area(around)
     own = shapely.area(inner)
-    place = np.array(hosts)[host]
+    place = np.array(outer)[holder]
     filled = np.array([item.filled for item in items])
-    fine = (place != child) & (areas[host] > 1.02 * shapely.area(enclosed)[child])
+    fine = (place != child) & (areas[holder] > 1.02 * shapely.area(enclosed)[child])
     # Only what is painted before it can be a fill's ground; a ring may be drawn after.
     fine &= (place < child) | ~filled[place]
-    child, host, place = child[fine], host[fine], place[fine]
-    covered = shapely.area(shapely.intersection(inner[child], around[host]))
+    child, holder, place = child[fine], holder[fine], place[fine]
+    covered = shapely.area(shapely.intersection(inner[child], around[holder]))
     inside = covered >= COVERED * own[child]
-    order = np.lexsort((place[inside], -comparable(areas)[host[inside]]))
+    order = np.lexsort((place[inside], -comparable(areas)[holder[inside]]))
     for c, p in zip(child[inside][order], place[inside][order], strict=True):
         parents[c] = p
     return parents

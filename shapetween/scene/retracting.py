@@ -47,7 +47,7 @@ def gap_going(k: int, side: Side) -> Going:
     ends = item.outer.curves[[0, -1], [0, 3]]
     reach = 1e-3 * item.width
     found: list[int | None] = [None, None]
-    for j in side.hosts:
+    for j in side.anchors:
         other = side.scene.items[j]
         if not other.cut or other.closed or other.shape != item.shape:
             continue
@@ -79,7 +79,7 @@ def _levels(cluster: Cluster, side: Side) -> list[dict[int, tuple[int | None, in
     scene = side.scene
     stays = [
         j
-        for j in side.hosts
+        for j in side.anchors
         if not scene.sheets[j] and not (scene.items[j].filled and j == cluster.parent)
     ]
     levels: list[dict[int, tuple[int | None, int | None]]] = []
@@ -165,7 +165,7 @@ def _between(
         return Going(Leaving(window), carries[0] if fold.anchor is None else (), fold=fold)
     mated = any(axis.mates[k] >= 0 for axis in side.scene.axes)
     if mated or not (side.end is End.TARGET and _slashes(k, None, side)):
-        apart = all(j in side.hosts for j in on)
+        apart = all(j in side.anchors for j in on)
         spanned = carries[0] + carries[1] if apart else carries[0]
         return Going(Leaving(window, kept=0.5, least=STUB), spanned)
     end = int(first_end(ends))
@@ -194,19 +194,19 @@ def _line_alone(k: int, parent: int | None, side: Side) -> Going:
     """
     scene, item = side.scene, side.scene.items[k]
     crossed = _crossed(k, parent, side)
-    host = parent if parent is not None else nearest_beside((k,), side)
+    anchor = parent if parent is not None else nearest_beside((k,), side)
     ends = item.outer.curves[[0, -1], [0, 3]]
     window, steady = side.window, _slashes(k, parent, side)
     if steady:
         kept = first_end(ends)
         window = _longer(window, item, scene)
     else:
-        kept = _kept(k, parent, host, side)
+        kept = _kept(k, parent, anchor, side)
     place = Places(item.outer).point(np.array([kept]))[0]
     if parent is None and crossed:
-        host = crossed[0]
+        anchor = crossed[0]
     how: Literal["at", "beside"] = "at" if parent is not None or crossed else "beside"
-    carries = side.carry(host, place, how) if not steady else ()
+    carries = side.carry(anchor, place, how) if not steady else ()
     leaving = Leaving(window, kept=kept, least=0.0 if steady else STUB, steady=steady)
     return Going(leaving, carries)
 
@@ -220,7 +220,7 @@ def _slashes(k: int, parent: int | None, side: Side) -> bool:
         return True
     if parent is not None or not isinstance(side.scene.forms[k], Segment):
         return False
-    stays = [side.scene.items[j].drawn for j in side.hosts if not side.scene.sheets[j]]
+    stays = [side.scene.items[j].drawn for j in side.anchors if not side.scene.sheets[j]]
     if not stays or item.length < LONG * side.scene.scale:
         return False
     ends = item.outer.curves[[0, -1], [0, 3]]
@@ -239,26 +239,26 @@ def _crossed(k: int, parent: int | None, side: Side) -> list[int]:
     apart = (parent, int(side.scene.outlined[k]))
     return [
         j
-        for j in side.hosts
+        for j in side.anchors
         if side.scene.touching[k, j] and j not in apart and not side.scene.sheets[j]
     ]
 
 
-def _kept(k: int, parent: int | None, host: int | None, side: Side) -> float:
+def _kept(k: int, parent: int | None, anchor: int | None, side: Side) -> float:
     """The share of a line that stays longest."""
     scene, item = side.scene, side.scene.items[k]
     crossed = _crossed(k, parent, side)
     if crossed:
         return _touched(k, crossed, scene)
     ends = item.outer.curves[[0, -1], [0, 3]]
-    near = nearer_end(ends, host, scene) if parent is None and host is not None else None
+    near = nearer_end(ends, anchor, scene) if parent is None and anchor is not None else None
     if near is not None:
         return float(near)
     others = [
         j
         for j in range(len(scene.items))
         if j != k
-        and j not in side.hosts
+        and j not in side.anchors
         and is_line(j, scene)
         and scene.parents[j] == scene.parents[k]
     ]

@@ -67,13 +67,13 @@ def closed_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     result: Found = {}
     taken: set[int] = set()
     for _, k, j, closing in sorted(options, key=lambda option: option[:3]):
-        if j in taken or {k, closing.host} & result.keys():
+        if j in taken or {k, closing.anchor} & result.keys():
             continue
         item = closing.item
         taken.add(j)
         result[k] = Division([item], [(item, j)])
         if closing.all:
-            result[closing.host] = Division([], [])
+            result[closing.anchor] = Division([], [])
     return result
 
 
@@ -83,14 +83,14 @@ class _Closing:
 
     Attributes
     ----------
-    host : int
+    anchor : int
     item : Item
         Both together.
     all : bool
         Whether it is all of what closes it.
     """
 
-    host: int
+    anchor: int
     item: Item
     all: bool
 
