@@ -13,7 +13,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.items import Item
 from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
-from shapetween.scene.kept.wipes import unit_circle
+from shapetween.scene.kept.wipes import OfRings, unit_circle
 
 if TYPE_CHECKING:
     import shapely
@@ -216,29 +216,17 @@ def _grown(t: Floats, comes: bool) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Grown(Leaf):
+class Grown(OfRings):
     """Rings that grow about a place, or shrink into it.
 
     Attributes
     ----------
-    rings : tuple of Outline
     centre : (2,) float64
     comes : bool
     """
 
-    rings: tuple[Outline, ...]
     centre: Points
     comes: bool
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(len(ring.curves) for ring in self.rings)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """All of them."""
-        return (True,) * len(self.rings)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""

@@ -7,9 +7,8 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate, line_curves
-from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
-from shapetween.scene.kept.wipes import unit_circle
+from shapetween.scene.kept.wipes import OfRings, unit_circle
 
 __all__ = ["Strip", "Tip"]
 
@@ -33,13 +32,11 @@ MEASURED = np.linspace(0.0, 1.0, 17)
 
 
 @dataclass(frozen=True, eq=False)
-class Strip(Leaf):
+class Strip(OfRings):
     """Rings that a bar shortens as it passes: every point goes straight along it to their far end.
 
     Attributes
     ----------
-    rings : tuple of Outline
-        Closed, as they are where they are whole.
     ahead : (2,) float64
         Direction in which the bar's end moves, of length 1.
     ends : (float, float)
@@ -54,20 +51,9 @@ class Strip(Leaf):
     left at last shrinks to a point.
     """
 
-    rings: tuple[Outline, ...]
     ahead: Points
     ends: tuple[float, float]
     behind: bool
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(len(ring.curves) for ring in self.rings)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """All of them."""
-        return (True,) * len(self.rings)
 
     @cached_property
     def _whole(self) -> Curves:

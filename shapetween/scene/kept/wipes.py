@@ -15,7 +15,16 @@ from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import OfTrack
 from shapetween.scene.presence import smooth_step
 
-__all__ = ["Against", "InTurn", "Slot", "Telescoped", "Wiped", "extent_along", "unit_circle"]
+__all__ = [
+    "Against",
+    "InTurn",
+    "OfRings",
+    "Slot",
+    "Telescoped",
+    "Wiped",
+    "extent_along",
+    "unit_circle",
+]
 
 #: Share of the time that a slot opens in, in which it opens round. Longer, and there is
 #: a speck for long.
@@ -23,6 +32,29 @@ POINTED = 0.2
 
 #: Bisections that a place on a curve is found by, to the last digit.
 BISECTIONS = 54
+
+
+@dataclass(frozen=True, eq=False)
+class OfRings(Leaf):
+    """Closed rings, curve by curve.
+
+    Attributes
+    ----------
+    rings : tuple of Outline
+        As they are where they are whole.
+    """
+
+    rings: tuple[Outline, ...]
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """Number of curves in each ring."""
+        return tuple(len(ring.curves) for ring in self.rings)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """All of them."""
+        return (True,) * len(self.rings)
 
 
 @dataclass(frozen=True, eq=False)
@@ -232,13 +264,11 @@ class Slot(Leaf):
 
 
 @dataclass(frozen=True, eq=False)
-class Telescoped(Leaf):
+class Telescoped(OfRings):
     """Rings that slide into what they stand on: no point goes below their foot.
 
     Attributes
     ----------
-    rings : tuple of Outline
-        Closed, as they are where they stand.
     ahead : (2,) float64
         Direction out of what they stand on, of length 1.
     foot, height : float
@@ -247,21 +277,10 @@ class Telescoped(Leaf):
         Whether they slide out.
     """
 
-    rings: tuple[Outline, ...]
     ahead: Points
     foot: float
     height: float
     comes: bool
-
-    @property
-    def counts(self) -> tuple[int, ...]:
-        """Number of curves in each ring."""
-        return tuple(len(ring.curves) for ring in self.rings)
-
-    @property
-    def closed(self) -> tuple[bool, ...]:
-        """All of them."""
-        return (True,) * len(self.rings)
 
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
