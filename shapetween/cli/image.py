@@ -78,10 +78,9 @@ __all__ = ["draw_over", "image"]
 )
 @click.option(
     "--background",
-    default="dissolve",
-    show_default=True,
-    metavar="keep|dissolve|COLOR|FILE",
-    help="Behind the quads: A, A that dissolves into B, a colour, or a picture.",
+    metavar="fill|dissolve|keep|COLOR|FILE",
+    help="Behind the quads: A that dissolves into B, what the quads leave behind being filled from "
+    "around it; just that; A; a colour, or a picture.  [default: fill, with OpenCV; else dissolve]",
 )
 @easing_option("ease-in-out")
 @loop_option("Stop at B, start again, or go back and forth. MP4 holds one turn of it.")
@@ -108,7 +107,7 @@ def image(
     mesh: Path | None,
     outlines: tuple[Path, Path] | None,
     out: Path | None,
-    background: str,
+    background: str | None,
     loop: str,
     report: Path | None,
     quiet: bool,
@@ -136,7 +135,7 @@ def image(
     if len(quads) > 2:
         raise OptionError(f"--quads: {len(quads)} files; expected one JSON or two SVGs")
     given = [*quads, *([mesh] if mesh else []), *(outlines or ())]
-    if Path(background).is_file():
+    if background is not None and Path(background).is_file():
         given.append(Path(background))
     out = out or Path(f"{a.stem}-to-{b.stem}.webp")
     files.check_outputs([out, *([report] if report else [])], [a, b, *given])
@@ -188,6 +187,8 @@ def image(
     for path, picture in ((a, first), (b, second))[: 1 if first is second else 2]:
         warn(f"{path}: {warning}" for warning in picture.warnings)
     warn((*moving.warnings, *transition.warnings))
+    if background is None and behind == "dissolve":
+        warn(["what the quads leave behind is not filled: pip install shapetween[fill]"])
     wrote(out)
 
 
@@ -272,10 +273,14 @@ def _size(
 
 
 def _background(
-    value: str, megapixels: float
+    value: str | None, megapixels: float
 ) -> "Picture | tuple[float, float, float, float] | str":
     """A background's picture or light, or its name."""
-    if value in ("keep", "dissolve"):
+    if value is None:
+        from shapetween.photo.filling import can_fill
+
+        return "fill" if can_fill() else "dissolve"
+    if value in ("fill", "dissolve", "keep"):
         return value
     from shapetween.photo.sources import light_of_colour
     from shapetween.raster.load import read_picture
@@ -285,6 +290,7 @@ def _background(
         return light
     if not Path(value).exists():
         raise OptionError(
-            f"--background {value!r}: expected keep, dissolve, a colour such as #fff, or a picture"
+            f"--background {value!r}: expected fill, dissolve, keep, a colour such as #fff, or a "
+            "picture"
         )
     return read_picture(Path(value), megapixels)

@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Floats, Index, times
+from shapetween.base.arrays import Affine, Floats, Index, Mask, times
 from shapetween.base.errors import OptionError
 from shapetween.photo.coverage import coverage
+from shapetween.photo.filling import filled
 from shapetween.photo.layers import Layer, Piece
 from shapetween.raster.light import FULL, Bytes, Light, Shares, encode
 from shapetween.raster.picture import Picture, fourfold
@@ -53,6 +54,8 @@ class Transition:
     backgrounds : (Light, Light)
         What is behind at the start and at the end, (H, W, 4) each; it dissolves from one to the
         other, and stands still if they are one.
+    ends : (Light, Light)
+        The same in the very first and the very last moment.
     opaque : bool
         Whether every pixel of every frame is opaque.
     """
@@ -62,6 +65,7 @@ class Transition:
     size: tuple[int, int]
     layers: tuple[Layer, ...]
     backgrounds: tuple[Light, Light]
+    ends: tuple[Light, Light]
     opaque: bool
 
     @classmethod
@@ -90,9 +94,10 @@ class Transition:
         size : (int, int), optional
             Width and height of the frames; A's if left out. Both pictures are scaled evenly to
             fit, and centred.
-        background : Picture, (red, green, blue, alpha), "keep" or "dissolve"
+        background : Picture, (red, green, blue, alpha), "keep", "dissolve" or "fill"
             What is behind: a picture, which is fitted too; light in linear components from 0 to 1;
-            A; or A that dissolves into B.
+            A; A that dissolves into B; or that with the places of what moves filled from around
+            them on the way.
         method : str
             One of `shapetween.interpolate.METHODS`.
         tolerance : float
@@ -104,15 +109,21 @@ class Transition:
         MeshError
             If a mesh has no in-between.
         OptionError
-            If the background is none of these.
+            If the background is none of these, or OpenCV is needed and not installed.
         """
         size = size or (a.width, a.height)
         fits = (fitted(a.width, a.height, size), fitted(b.width, b.height, size))
         moments = times(moments)
         layers = tuple(Layer.of(piece, fits, moments, method, tolerance) for piece in pieces)
-        backgrounds = _backgrounds(a, b, background, size)
-        opaque = all(bool((light[..., 3] == FULL).all()) for light in backgrounds)
-        return cls((a, b), moments, size, layers, backgrounds, opaque)
+        ends = _backgrounds(a, b, "dissolve" if background == "fill" else background, size)
+        backgrounds = ends
+        if background == "fill":
+            both = np.array([0.0, 1.0])
+            there = [Layer.of(piece, fits, both, method, tolerance) for piece in pieces]
+            first, last = (filled(ends[k], _covered(there, k, size)) for k in (0, 1))
+            backgrounds = first, last
+        opaque = all(bool((light[..., 3] == FULL).all()) for light in (*backgrounds, *ends))
+        return cls((a, b), moments, size, layers, backgrounds, ends, opaque)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -151,7 +162,7 @@ class Transition:
     def frame(self, index: int) -> Bytes:
         """Pixels of one frame, (H, W, 3) uint8 if opaque, else (H, W, 4)."""
         t = float(self.times[index])
-        canvas = _dissolved(self.backgrounds, t)
+        canvas = _dissolved(self.ends if t in (0.0, 1.0) else self.backgrounds, t)
         for layer in self.layers:
             _draw(canvas, layer, index, self.pictures, t)
         return encode(canvas, opaque=self.opaque)
@@ -248,7 +259,9 @@ def _backgrounds(
     """Light behind the layers at the start and at the end."""
     if isinstance(background, str):
         if background not in ("keep", "dissolve"):
-            raise OptionError(f"background: {background!r} is neither 'keep' nor 'dissolve'")
+            raise OptionError(
+                f"background: {background!r} is neither 'keep' nor 'dissolve' nor 'fill'"
+            )
         first = _spread(a, size)
         return first, first if background == "keep" or a is b else _spread(b, size)
     if isinstance(background, Picture):
@@ -258,6 +271,20 @@ def _backgrounds(
         amounts = np.array([*(part * alpha for part in colour), alpha]) * FULL
         still = np.broadcast_to(np.rint(amounts).astype(np.uint16), (size[1], size[0], 4))
     return still, still
+
+
+def _covered(layers: Sequence[Layer], index: int, size: tuple[int, int]) -> Mask:
+    """Which pixels of a frame layers cover, some of each at least, (H, W)."""
+    width, height = size
+    found = np.zeros((height, width), bool)
+    for layer in layers:
+        for face in layer.faces(index):
+            cover = coverage(face.corners, width, height)
+            if cover is not None:
+                rows, columns = cover.shares.shape
+                place = found[cover.top : cover.top + rows, cover.left : cover.left + columns]
+                place |= cover.shares > 0
+    return found
 
 
 def _spread(picture: Picture, size: tuple[int, int]) -> Light:

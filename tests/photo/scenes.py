@@ -85,5 +85,7 @@ def shown(
     ground = np.full((picture.height, picture.width, 4), behind, np.uint16)
     ground[..., 3] = FULL
     size = (picture.width, picture.height)
-    still = Transition((picture, picture), np.zeros(1), size, (layer,), (ground, ground), True)
+    still = Transition(
+        (picture, picture), np.zeros(1), size, (layer,), (ground,) * 2, (ground,) * 2, True
+    )
     return still.frame(0)

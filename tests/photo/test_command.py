@@ -141,7 +141,10 @@ def test_quads_outside_are_warned_of(
             "image a.png b.png --quads q.json --max-megapixels 0.001",
             "at most 0.001 megapixels",
         ),
-        ("image a.png b.png --quads q.json --background mauv", "expected keep, dissolve, a colour"),
+        (
+            "image a.png b.png --quads q.json --background mauv",
+            "expected fill, dissolve, keep, a colour",
+        ),
         ("image a.png b.png --quads q.json --easing jump", "easing 'jump'"),
         ("image a.png b.png --quads q.json --method arp", "did you mean arap?"),
         ("image a.png b.png --quads q.json --frames 3 --fps 2 --duration 9", "at most two"),

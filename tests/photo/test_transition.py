@@ -8,10 +8,11 @@ from hypothesis import strategies as st
 from shapetween.base.arrays import Points, Quads
 from shapetween.base.errors import MeshError, OptionError
 from shapetween.mesh.pair import MeshPair
+from shapetween.photo.filling import filled
 from shapetween.photo.layers import Layer, Piece
 from shapetween.photo.transition import Transition, fitted
 from shapetween.raster.faces import Projection
-from shapetween.raster.light import Bytes
+from shapetween.raster.light import FULL, Bytes
 from shapetween.raster.picture import Picture
 from tests.photo.scenes import shown
 from tests.strategies import convex_quads, grid
@@ -163,6 +164,57 @@ def test_backgrounds() -> None:
     assert behind(plain((9, 8, 7, 255), 32, 24)) == [9, 8, 7]
     with pytest.raises(OptionError, match="neither 'keep' nor 'dissolve'"):
         behind("stay")
+
+
+def test_what_moves_leaves_no_ghost_behind() -> None:
+    """Neither where it was nor where it will be is anything of it seen on the way."""
+    pytest.importorskip("cv2", reason="OpenCV is not installed")
+    ground = np.full((96, 128, 3), (90, 140, 200), np.uint8)
+    boards = np.array([[10, 20], [110, 60]])
+    pictures = []
+    for left, top in boards.tolist():
+        pixels = ground.copy()
+        pixels[top : top + 12, left : left + 12] = (250, 30, 20)
+        pictures.append(Picture.of(pixels))
+    corners = np.array([[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]])
+    moving = one_quad(corners + boards[0], corners + boards[1])
+    times = np.array([0.0, 0.5, 1.0])
+    shown = {
+        way: Transition.between(pictures[0], pictures[1], [moving], times, background=way)
+        for way in ("fill", "dissolve")
+    }
+    for k, picture in ((0, pictures[0]), (2, pictures[1])):
+        np.testing.assert_array_equal(shown["fill"].frame(k), shown["dissolve"].frame(k))
+        assert picture.width == 128
+    for left, top in boards.tolist():
+        place = slice(top - 2, top + 14), slice(left - 2, left + 14)
+        off = {
+            way: np.abs(found.frame(1)[place].astype(int) - (90, 140, 200)).max()
+            for way, found in shown.items()
+        }
+        assert off["fill"] <= 3
+        assert off["dissolve"] > 50
+
+
+def test_a_large_picture_is_filled_and_a_clear_one_stays_clear() -> None:
+    pytest.importorskip("cv2", reason="OpenCV is not installed")
+    light = np.zeros((900, 1200, 4), np.uint16)
+    light[:, :600] = FULL
+    covered = np.zeros((900, 1200), bool)
+    covered[300:500, 200:400] = covered[300:500, 800:1000] = True
+    light[covered] = (0, 0, 0, FULL)
+    found = filled(light, covered)
+    assert found[400, 300].min() > 0.98 * FULL
+    assert found[400, 900].max() < 0.02 * FULL
+    np.testing.assert_array_equal(found[~covered][:1000], light[~covered][:1000])
+    everything = np.ones((900, 1200), bool)
+    np.testing.assert_array_equal(filled(light, everything), light)
+
+
+def test_without_opencv_it_says_what_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("shapetween.photo.filling.can_fill", lambda: False)
+    with pytest.raises(OptionError, match="needs OpenCV; pip install shapetween"):
+        filled(np.zeros((4, 4, 4), np.uint16), np.ones((4, 4), bool))
 
 
 def test_pictures_of_other_sizes_are_fitted() -> None:
