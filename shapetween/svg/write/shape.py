@@ -54,6 +54,11 @@ MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
 MOST_LOOKED = 100_000
 
 
+#: Control points that are looked at for when they turn a corner: some of more, and those only at
+#: the samples. More take seconds; with fewer a corner that few of them turn is not found.
+MOST_LOOKED = 10_000
+
+
 @dataclass(frozen=True, slots=True)
 class ShapeMotion:
     """Path data at rest, and the attributes of the animations that move it, often none."""
@@ -87,7 +92,9 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
     turns: tuple[float, ...] = ()
     if clock.adaptive and stack[:, :, 0, 0].size <= MOST_LOOKED:
         every = stack.reshape(len(stack), -1, 2)
-        turns = turning_times(every, finer.clock, tolerance, places)
+        apart = 1 + every.shape[1] // MOST_LOOKED
+        nearer = places if apart == 1 else None
+        turns = turning_times(every[:, ::apart], finer.clock, tolerance, nearer)
         if turns:
             finer, own = finer.with_corners(turns)
             kept = own[kept]
