@@ -115,19 +115,21 @@ def _encloses(ring: Outline) -> bool:
 
     low, high = ring.box
     least = SLIVER * float(np.max(high - low)) ** 2
-    if abs(ring.area) > least:
+    if len(ring.curves) > 2 and abs(ring.area) > least:
         return True
+    line = chords_of([ring]).polylines[0]
+    if len(line) < 4:  # there and back
+        return False
     # Lobes that run opposite ways cancel out in the signed area.
-    polygon = shapely.Polygon(chords_of([ring]).polylines[0])
-    return bool(shapely.make_valid(polygon).area > least)
+    return bool(shapely.make_valid(shapely.Polygon(line)).area > least)
 
 
 def _simple(points: Points, ring: Outline) -> "shapely.Polygon | None":
     """The polygon of a ring's chords; None if it crosses itself."""
     import shapely
 
-    polygon = shapely.Polygon(points)
-    if not polygon.is_valid:  # or so it seems: where the chords cross, curves may pass by
+    polygon = shapely.Polygon(points) if len(points) > 3 else None
+    if polygon is None or not polygon.is_valid:  # or so it seems: curves may pass by each other
         polygon = shapely.Polygon(chords_of([ring]).polylines[0])
     if polygon.is_valid:
         return polygon

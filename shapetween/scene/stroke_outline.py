@@ -10,12 +10,12 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
-from shapetween.geometry.bezier import end_tangents
+from shapetween.geometry.bezier import curve_lengths, end_tangents, signed_area
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.model.outline import Outline
 from shapetween.scene.stroke_frame import CAP, JOIN, SMOOTH, WALL, StrokeFrame
-from shapetween.scene.stroke_walk import cut_alike, walk_of
+from shapetween.scene.stroke_walk import Walk, cut_alike, walk_of
 
 __all__ = ["StrokeOutline", "stroke_outline"]
 
@@ -24,6 +24,10 @@ LEAST_PACE = 0.1
 
 #: Turn of a corner, radians, below which its join keeps the form it has.
 LEAST_TURN = np.deg2rad(10.0)
+
+#: Share of the square of its length by which an outline may enclose more or less than it does: some
+#: thousandths of a slim stroke's. Larger and a stroke is seen filled; smaller and rounding counts.
+SPILLED = 1e-5
 
 #: Greatest ratio by which a join widens as its corner does.
 WIDENED = 3.0
@@ -199,7 +203,8 @@ def stroke_outline(
     Returns
     -------
     StrokeOutline or None
-        None if a ring does not run round the line's contour once.
+        None if a ring does not run round the line's contour once, or is not drawn as it is: where a
+        line runs beside itself, a place may be taken for another.
     """
     frames = [StrokeFrame(line, closed) for line in lines]
     walks = []
@@ -223,7 +228,20 @@ def stroke_outline(
             ends[k].append(bound[k].only(needed))
     counts = tuple(len(bound.kind) for bound in ends[0])
     turns = frames[0].turns(), frames[1].turns()
-    return StrokeOutline(counts, (tuple(ends[0]), tuple(ends[1])), turns, closed)
+    found = StrokeOutline(counts, (tuple(ends[0]), tuple(ends[1])), turns, closed)
+    drawn = (
+        found.curves(line[None], np.array([t]))[0] for line, t in zip(lines, (0, 1), strict=True)
+    )
+    if all(map(_is_drawn, drawn, walks)):
+        return found
+    return None
+
+
+def _is_drawn(curves: Curves, walks: Sequence[Walk]) -> bool:
+    """Whether pieces of rings enclose as much as the rings that they are pieces of."""
+    given = np.concatenate([walk.curves for walk in walks])
+    least = SPILLED * float(curve_lengths(given).sum()) ** 2
+    return abs(signed_area(curves) - signed_area(given)) <= least
 
 
 def _needless(frame: StrokeFrame, bound: _Bound) -> Mask:

@@ -250,3 +250,18 @@ def of_region(region: Region) -> shapely.Polygon:
 
 def polygon(outline: Outline) -> Points:
     return flatten(outline.curves, 8)
+
+
+def test_a_slim_lens_of_two_curves_shows_nothing_and_is_no_matter() -> None:
+    lens = ring((0, 0), (1, 0)).curves.copy()
+    lens[0, 1:3, 1] = 1e-5
+    (found,) = regions(square(0, 0, 10), Outline(lens))
+    assert found.outer.area == pytest.approx(100)
+
+
+def test_a_small_lens_beside_a_large_ring_is_a_piece() -> None:
+    lens = ring((20, 20), (20.001, 20)).curves.copy()
+    lens[0, 1:3, 1] += 3e-4
+    large, small = regions(square(0, 0, 10), Outline(lens))
+    assert large.area == pytest.approx(100)
+    assert 0 < small.area < 1e-6

@@ -1,8 +1,9 @@
 """Two outlines cut alike are made of exact parts of both, also where a span is a point."""
 
 import numpy as np
+import pytest
 
-from shapetween.geometry.bezier import curve_lengths, evaluate
+from shapetween.geometry.bezier import curve_lengths, evaluate, line_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.places import Places, cut_alike
 from tests.drawings import line, ring, square
@@ -66,3 +67,17 @@ def test_nearest_places_lie_there() -> None:
     np.testing.assert_allclose(
         evaluate(places.outline.curves[curve], t[:, None])[:, 0], places.point(shares)
     )
+
+
+def test_of_so_many_curves_each_is_one_chord() -> None:
+    def bulging(count: int) -> tuple[float, float]:
+        points = np.stack([np.cos(a := 2 * np.pi * np.arange(count) / count), np.sin(a)], axis=1)
+        curves = line_curves(points, np.roll(points, -1, axis=0))
+        curves[:, 1:3] += 0.3 * points[:, None] * np.linalg.norm(points[1] - points[0])
+        straight = float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
+        return Places(Outline(curves)).length, straight
+
+    length, straight = bulging(100)
+    assert length > 1.05 * straight
+    length, straight = bulging(50_000)
+    assert length == pytest.approx(straight)

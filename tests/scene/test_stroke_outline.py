@@ -121,3 +121,16 @@ def test_a_ring_that_does_not_follow_the_line_is_refused() -> None:
     ring = stroke_rings(line, 1.0, "round", "round")
     away = [r.transformed(np.array([[1.0, 0, 0], [0, 1, 30]])) for r in ring]
     assert stroke_outline((line.curves, line.curves), False, (ring, away)) is None
+
+
+def test_a_ring_that_is_not_drawn_as_it_is_is_refused() -> None:
+    """Where a line runs into itself a place may be taken for another."""
+    loop = polyline((0, 0), (60, 0), (60, 20), (52, 26), (50, 20), (70, 6), (90, 60), (40, 70))
+    straight = polyline(*((float(k), 100.0) for k in range(8)))
+    rings = [stroke_rings(line, 3.0, "round", "round") for line in (loop, straight)]
+    assert rings[0] is not None
+    assert rings[1] is not None
+    found = stroke_outline((loop.curves, straight.curves), False, (rings[0], rings[1]))
+    if found is not None:
+        drawn = found.curves(loop.curves[None], np.zeros(1))[0]
+        assert Outline(drawn).area == pytest.approx(rings[0][0].area, rel=1e-3)

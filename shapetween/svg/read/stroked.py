@@ -29,6 +29,10 @@ MOST_PIECES = 4000
 #: Radians that a part of a curve turns by. Larger and what is beside it is no cubic.
 TURN = np.pi / 6
 
+#: Area of a ring, in squares of the stroke's width, up to which it is what rounding leaves between
+#: two pieces. Larger and holes that are seen are filled.
+SLIVER = 1e-6
+
 #: Most parts of a curve, which only hooks need.
 MOST_PARTS = 16
 
@@ -67,7 +71,8 @@ def stroke_rings(lines: Sequence[Outline], stroke: Stroke) -> tuple[Outline, ...
         keep_collapsed=False,
     )
     found = traced(shapely.union_all(areas), chords)
-    return tuple(ring for rings in found for ring in rings)
+    least = SLIVER * stroke.width**2
+    return tuple(ring for rings in found for ring in rings if abs(ring.area) > least)
 
 
 def _pieces(line: Outline, stroke: Stroke) -> Iterator[Outline]:
