@@ -228,13 +228,11 @@ def stroke_outline(
             ends[k].append(bound[k].only(needed))
     counts = tuple(len(bound.kind) for bound in ends[0])
     turns = frames[0].turns(), frames[1].turns()
-    found = StrokeOutline(counts, (tuple(ends[0]), tuple(ends[1])), turns, closed)
-    drawn = (
-        found.curves(line[None], np.array([t]))[0] for line, t in zip(lines, (0, 1), strict=True)
-    )
-    if all(map(_is_drawn, drawn, walks)):
-        return found
-    return None
+    outline = StrokeOutline(counts, (tuple(ends[0]), tuple(ends[1])), turns, closed)
+    for line, t, own in zip(lines, (0.0, 1.0), walks, strict=True):
+        if not _is_drawn(outline.curves(line[None], np.array([t]))[0], own):
+            return None
+    return outline
 
 
 def _is_drawn(curves: Curves, walks: Sequence[Walk]) -> bool:
