@@ -193,7 +193,7 @@ def test_what_hangs_on_a_line_that_comes_is_drawn_after_it(tmp_path: Path) -> No
 def test_leavers_are_early_newcomers_late_and_the_middle_is_not_empty(tmp_path: Path) -> None:
     brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
     lid = '<path d="M6 6h12v2h-12z"/>'
-    found = morph(tmp_path, FACE + brows, FACE + lid)
+    found = morph(tmp_path, FACE + EYES + brows, FACE + EYES + lid)
     away, new = lone(found, arrives=False), lone(found, arrives=True)
     assert len(away) + len(new) > 1
     assert all(p.style(0.55).opacity == 0 for p in away)

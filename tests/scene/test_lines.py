@@ -8,7 +8,9 @@ import shapely
 
 import shapetween as st
 from shapetween.base.arrays import Floats
+from shapetween.model.part import Part
 from shapetween.scene.movement import SceneMovement
+from shapetween.scene.torn import torn
 from tests.scene.test_faults import drawn
 from tests.scene.test_leaving import ICON, box, lone, morph
 
@@ -89,6 +91,9 @@ def test_a_box_becomes_what_is_closed_by_its_lid(tmp_path: Path) -> None:
     for drawings in ((bin_, box_), (box_, bin_)):
         found = morph(tmp_path, *drawings, ICON)
         assert (True, True) in closed(found)
+        (start,) = found.prepared.movement.at(np.zeros(1))
+        (own,) = morph(tmp_path, drawings[0], drawings[0], ICON).prepared.movement.at(np.zeros(1))
+        assert drawn(start).symmetric_difference(drawn(own)).area < 1e-3 * drawn(own).area
         for t in TIMES[1:-1]:
             (frame,) = found.prepared.movement.at(np.array([t]))
             assert len(shapely.get_parts(drawn(frame).buffer(1e-6))) == 1
@@ -242,3 +247,69 @@ def test_a_panel_closed_by_what_it_stands_on_stays_whole(tmp_path: Path) -> None
     panel = '<path d="M8 3h8v6q-4 2 -8 0z"/><path d="M3 10v11h18v-11"/>'
     case = '<path d="M8 7v-4h8v4"/><path d="M2 7h20v14h-20z"/>'
     assert (True, True) in closed(morph(tmp_path, panel, case, ICON))
+
+
+PICTURE = '<path d="M3 3h18v18h-18z"/>'
+
+
+def arc_going(tmp_path: Path, line: str) -> Part:
+    (part,) = lone(morph(tmp_path, PICTURE + line, PICTURE, ICON), arrives=False)
+    return part
+
+
+def test_a_hill_folds_into_its_corner_and_a_bow_across_goes_to_its_middle(tmp_path: Path) -> None:
+    hill = arc_going(tmp_path, '<path d="M7 21c3 -7 8 -9 14 -8"/>')
+    bow = arc_going(tmp_path, '<path d="M3 12q9 -3 18 0"/>')
+    for t in (0.1, 0.3):
+        curves = hill.curves(np.array([t]))[0]
+        np.testing.assert_allclose(ends_of(curves), [[7, 21], [21, 13]], atol=1e-6)
+        low, high = box(bow, t)
+        assert low[0] > 3.1
+        assert low[0] + high[0] == pytest.approx(24)
+
+
+@pytest.mark.parametrize("style", ['stroke="#f00"', 'stroke-width="4"'])
+def test_what_would_be_seen_on_what_it_folds_onto_does_not(tmp_path: Path, style: str) -> None:
+    """Of another colour or wider, it would not be gone when it lies on it."""
+    handle = f'<path d="M21 8h1a3 3 0 0 1 0 6h-1" {style}/>'
+    curves = arc_going(tmp_path, handle).curves(np.array([0.3]))[0]
+    assert np.abs(ends_of(curves) - [[21, 8], [21, 14]]).max() > 0.1
+
+
+def test_what_is_torn_is_never_a_pair(tmp_path: Path) -> None:
+    """A cup is not to become a wave above it, nor its foot's."""
+    cup = '<path d="M5 4q7 -3 14 0v5q0 7 -7 7q-7 0 -7 -7z"/><path d="M6 22h12"/>'
+    wave = '<path d="M2 9q3 0 5 -2q5 4 10 0q2 2 5 2"/><path d="M2 19q3 0 5 -2q5 4 10 0q2 2 5 2"/>'
+    first, second = scene(morph(tmp_path, cup, wave, ICON)).scenes
+    np.testing.assert_array_equal(torn(first, second), [[True, True], [False, False]])
+    np.testing.assert_array_equal(torn(second, first), torn(first, second).T)
+
+
+def test_a_box_never_collapses_into_three_of_its_sides(tmp_path: Path) -> None:
+    box_, sides = PICTURE + FLAG, '<path d="M4 4v11h16v-11"/>' + FLAG
+    first, second = scene(morph(tmp_path, box_, sides, ICON)).scenes
+    assert torn(first, second)[0, 0]
+
+
+def test_what_crosses_a_line_does_not_close_it(tmp_path: Path) -> None:
+    """The ends stand out beyond the bar, and would be drawn twice."""
+    crossed = '<path d="M5 3v16h14v-16"/><path d="M3 7h18"/>'
+    assert (True, True) not in closed(morph(tmp_path, crossed, PICTURE, ICON))
+
+
+FLAG = '<path d="M11 9h2"/>'
+
+
+def test_a_ring_elsewhere_is_not_what_a_lid_closes(tmp_path: Path) -> None:
+    tray = '<path d="M3 12v9h18v-9"/><path d="M2 12h20"/>'
+    eye = '<circle cx="12" cy="5" r="3"/><path d="M3 12v9h18v-9"/>'
+    assert (True, True) not in closed(morph(tmp_path, tray, eye, ICON))
+
+
+def test_a_chord_is_not_closed_by_half_of_its_ring(tmp_path: Path) -> None:
+    """The dish stays what it was, beside the ring that it crosses."""
+    dish = '<path d="M12 3a9 9 0 1 0 .01 0z"/><path d="M3 12q9 3 18 0"/>'
+    egg = '<path d="M12 6a8.5 7.5 0 1 0 .01 0z"/>'
+    found = morph(tmp_path, dish, egg, ICON)
+    first = scene(found).scenes[0]
+    assert [item.closed for item in first.items] == [True, False]
