@@ -58,3 +58,12 @@ def test_angles_do_not_leak_through_the_outside() -> None:
     inside = np.array([True, True, True, False])
     spread = spread_angles(true, triangles, np.ones(4), inside, np.ones(4, dtype=bool))
     np.testing.assert_allclose(spread[:3], true[:3], atol=1e-12)
+
+
+def test_the_longest_way_inside_comes_before_the_shortest_outside() -> None:
+    """Steps inside that turn by nearly half a turn each, and one outside that does not turn."""
+    triangles = np.array([[0, 1, 2], [1, 3, 2], [2, 3, 4], [0, 2, 4]])
+    true = np.array([-3.1, 0.0, 3.1, 3.1 - 2 * np.pi])
+    inside = np.array([True, True, True, False])
+    spread = spread_angles(true, triangles, np.ones(4), inside, np.ones(4, dtype=bool))
+    np.testing.assert_allclose(spread[:3], true[:3], atol=1e-12)

@@ -12,7 +12,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import linear_between, rotations
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
-from shapetween.outline.carry import Carrier, Joints, affine_between
+from shapetween.outline.carry import Carrier, Joints, _straight, affine_between
 from shapetween.outline.matched import MatchedOutlines
 from tests.match.shapes import disc, polygon, rounded, star
 from tests.strategies import affine_maps, rotation
@@ -321,3 +321,9 @@ def test_points_on_one_line_say_nothing_of_what_happens_across_it(off: float, fl
     _, stretch = affine_between(points, points * [1.0, 2.0])
     ratio = float(np.divide(*np.linalg.svd(stretch, compute_uv=False)))
     assert ratio == pytest.approx(1.0 if flat else 2.0, rel=0.01)
+
+
+@pytest.mark.parametrize(("off", "straight"), [(7e-4, True), (1.5e-3, False)])
+def test_handles_that_lie_hardly_off_the_chord_make_no_curve(off: float, straight: bool) -> None:
+    curve = 40 * np.array([[[0.0, 0.0], [0.3, off], [0.7, 0.0], [1.0, 0.0]]])
+    assert _straight(curve).tolist() == [straight]
