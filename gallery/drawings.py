@@ -32,10 +32,10 @@ PAIRS = (
     ("emoji-automobile", "emoji-bus", "Wheels to wheels, body to body.", FLUENT),
     ("emoji-locked", "emoji-unlocked", "Body and keyhole stand still.", FLUENT),
     ("emoji-red-apple", "emoji-pear", "Fruit to fruit, leaf to leaf.", FLUENT),
-    ("emoji-bug", "emoji-butterfly", "Hardly a part has a partner.", FLUENT),
-    ("picture-dog", "picture-wolf", "Eyes, ears and muzzle go to their like.", TWEMOJI),
+    ("emoji-bug", "emoji-butterfly", "Hardly a part in common: one goes, one comes.", FLUENT),
+    ("picture-dog", "picture-wolf", "A dog and a head: exchanged; --loose moves parts.", TWEMOJI),
     ("face-smile", "face-sad", "Shadows stay; the mouth turns.", "Tango (public domain)"),
-    ("picture-rocket", "picture-airplane", "Hull to hull; fins become wings.", TWEMOJI),
+    ("picture-rocket", "picture-airplane", "Too little in common: one goes, one comes.", TWEMOJI),
 )  # fmt: skip
 
 

@@ -32,6 +32,10 @@ EXCHANGED = 0.92
 #: below most did. Smaller, and a bag leaves for a pin to come; larger, and letters' bowls tear.
 PIERCED = 0.47
 
+#: Share of what the outer outline encloses that holes take up from which on they count. Smaller,
+#: and the eyelet of a pen makes a silhouette an area with holes; larger, and letters have none.
+OPEN = 0.04
+
 #: Share of its hull from which on what an outline encloses counts as convex. At 1 rounding makes a
 #: disc concave; smaller, and letters are taken for discs.
 CONVEX = 0.95
@@ -82,7 +86,7 @@ def pierced_apart(one: Item, other: Item) -> bool:
 
     Convex ones move well, however they lie.
     """
-    if not (one.filled and other.filled) or not (one.holes or other.holes):
+    if not (one.filled and other.filled) or max(_open(one), _open(other)) < OPEN:
         return False
     if min(_filling(one), _filling(other)) > CONVEX:
         return False
@@ -206,6 +210,12 @@ def _lowest(scene: Scene, ground: int) -> float:
         ),
         default=-np.inf,
     )
+
+
+def _open(item: Item) -> float:
+    """Share of what an item encloses that is hole."""
+    enclosed = item.enclosed.area
+    return float(1 - item.area / enclosed) if enclosed > 0 else 0.0
 
 
 def _filling(item: Item) -> float:

@@ -174,6 +174,8 @@ LOW_O = LETTER_O.replace("32 32", "29 32").replace("18 18", "14 18")
 def test_areas_with_holes_that_are_unlike_are_exchanged(tmp_path: Path) -> None:
     assert is_exchanged(made(tmp_path, LETTER_A, LETTER_O))
     assert not is_exchanged(made(tmp_path, LOW_O, LETTER_O))
+    eyelet = LETTER_A.replace("M37 58h26L50 22z", "M48 30h4v4h-4z")
+    assert not is_exchanged(made(tmp_path, eyelet, '<path d="M10 30L90 40L30 90L50 50z"/>'))
 
 
 @pytest.mark.parametrize("asked", [{"pairing": "loose"}, {"method": "arap"}, {"quads": 6}])
