@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.base.arrays import Mask
+from shapetween.base.arrays import Floats, Index, Mask
 from shapetween.base.ends import End
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
@@ -43,6 +43,10 @@ CONVEX = 0.95
 #: What counts, beside the share of both drawings that has no partner, of how unlike the largest
 #: pair's pictures are, and of how much more of its hull one of that pair fills.
 UNLIKE, HOLLOW = 0.5, 1.0
+
+#: Likeness of pictures, greatest way as a share of the drawing, and logarithm of sizes, of layers
+#: of one thing. Looser, and rings in rings are layers; stricter, and shades drawn by hand are none.
+LAYER_LIKE, LAYER_WAY, LAYER_SIZES = 0.85, 0.04, 0.12
 
 #: Greatest way, as a share of the drawing, and ratio of sizes of what stays although the drawings
 #: are exchanged: the ground that both stand on.
@@ -108,8 +112,10 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     firsts = np.array([role.first for role in pairs], dtype=np.intp)
     seconds = np.array([role.second for role in pairs], dtype=np.intp)
     sizes = [np.where(own, 0.0, scene.sizes) for scene, own in zip((a, b), behind, strict=True)]
-    paired = [s[own].sum() / s.sum() for s, own in zip(sizes, (firsts, seconds), strict=True)]
-    alone = 1 - sum(paired) / 2
+    # Light and shade that cover a thing as a whole count with it, or not at all: a body of many
+    # such layers has most of a drawing's weight, whatever there is on it.
+    once = [np.where(_layers(s), 0.0, own) for s, own in zip((a, b), sizes, strict=True)]
+    alone = max(_alone(sizes, (firsts, seconds)), _alone(once, (firsts, seconds)))
     if not len(firsts):
         return float(alone + UNLIKE)
     weights = np.minimum(sizes[0][firsts] / a.scale, sizes[1][seconds] / b.scale)
@@ -121,6 +127,20 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     closing = closes(one, other, (a.scale + b.scale) / 2)
     hollow = 0.0 if closing else abs(_filling(one) - _filling(other))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow)
+
+
+def _alone(sizes: Sequence[Floats], paired: tuple[Index, Index]) -> float:
+    """Share of both drawings' sizes that has no partner."""
+    return float(1 - sum(s[own].sum() / s.sum() for s, own in zip(sizes, paired, strict=True)) / 2)
+
+
+def _layers(scene: Scene) -> Mask:
+    """Which items lie on one that has their outline."""
+    away = np.linalg.norm(scene.centres[:, None] - scene.centres, axis=-1)
+    same = in_common(scene.pictures, scene.pictures) > LAYER_LIKE
+    same &= away < LAYER_WAY * scene.scale
+    same &= np.abs(np.log(scene.sizes[:, None] / scene.sizes)) < LAYER_SIZES
+    return np.asarray(np.tril(same, -1).any(axis=1))
 
 
 def _behind(a: Scene, b: Scene, roles: Roles) -> tuple[Mask, Mask]:

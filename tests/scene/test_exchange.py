@@ -187,3 +187,20 @@ def test_drawings_that_are_exchanged_have_meshes_to_look_at(tmp_path: Path) -> N
     found = made(tmp_path, CAR, STAR)
     assert is_exchanged(found)
     assert "quads" in found.mesh_json()
+
+
+def test_layers_of_light_on_a_body_do_not_make_drawings_alike(tmp_path: Path) -> None:
+    body = '<path d="M12 70V40a20 20 0 0 1 34 -16l8 8l8 -8a20 20 0 0 1 26 16v30z" fill="{}"/>'
+    star = '<path d="M50 20l10 25 30 5-25 15 5 28-20-16-20 16 5-28-25-15 30-5z" fill="{}"/>'
+    legs = (
+        '<path d="M20 70h8v26h-8z" fill="#123"/><path d="M72 70h8v26h-8z" fill="#123"/>'
+        '<path d="M44 70h8v20h-8z" fill="#123"/><path d="M30 40h30v10h-30z" fill="#456"/>'
+    )
+    dots = (
+        '<circle cx="14" cy="12" r="9"/><circle cx="86" cy="12" r="9"/>'
+        '<path d="M40 45l10 20 10-20z" fill="#29c"/>'
+    )
+    paints = ("#c84", "#d95", "#e96", "#fa7", "#fb8")
+    for count in (1, len(paints)):
+        first, second = ("".join(map(own.format, paints[:count])) for own in (body, star))
+        assert is_exchanged(made(tmp_path, first + legs, second + dots))
