@@ -25,12 +25,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Floats, Index
 from shapetween.timing.pursuit import ALIKE, TIE, Pursuit, differences
 from shapetween.timing.ramps import together
 from shapetween.timing.windows import Eased, eased_shares, library
 
-__all__ = ["EasingSum", "Grid", "sum_of_easings"]
+__all__ = ["EasingSum", "Grid", "sum_of_easings", "united"]
 
 Grid = NDArray[np.int64]
 """Coordinates in steps of the last decimal that is written."""
@@ -158,6 +158,17 @@ def sum_of_easings(
             return best
     found = task.in_turn(sorted(turns), most()) if turns else None
     return best if found is None or (best and len(found.easings) >= len(best.easings)) else found
+
+
+def united(sums: Sequence[tuple[Index, EasingSum]], count: int) -> EasingSum:
+    """Sums of some of so many points each as one of all, in which no easing comes twice."""
+    terms: dict[Eased, Grid] = {}
+    for points, found in sums:
+        for easing, own in zip(found.easings, found.terms, strict=True):
+            whole = terms.setdefault(easing, np.zeros((count, 2), np.int64))
+            whole[points] += own
+    easings = sorted(terms, key=lambda easing: (easing.window, easing.handles))
+    return EasingSum(tuple(easings), np.stack([terms[easing] for easing in easings]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

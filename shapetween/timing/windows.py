@@ -135,6 +135,7 @@ def turning_times(
     clock: Floats,
     tolerance: float,
     look: Callable[[Floats], Floats] | None = None,
+    least: float = LOOKED,
 ) -> tuple[float, ...]:
     """When points (S, K, 2) at times (S,) set off, stop or turn a corner, the sharpest first.
 
@@ -146,6 +147,8 @@ def turning_times(
     points, clock, tolerance
     look : callable, optional
         Where points are at any times (M,), (M, P, 2), to find out when between two samples it is.
+    least : float
+        By how much the acceleration changes at a corner that is looked at closer.
     """
     gaps = np.diff(clock)
     even = gaps.max(initial=0.0)
@@ -155,7 +158,7 @@ def turning_times(
     if len(times) < 2 * ASUNDER + 1:
         return ()
     leaps, bends = (seen * even**2 for seen in _leaps(times, places))
-    sharp = SHARP if look is None else LOOKED
+    sharp = SHARP if look is None else least
     enough = max(sharp * float(leaps.max(initial=0.0)), tolerance / OVERLOOKED)
     found = _corners(times, leaps, bends, enough)
     if look is not None and found:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapetween.base.arrays import Floats
 from shapetween.timing.easing import LINEAR, easing_function
 from shapetween.timing.schedule import Schedule
-from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings
+from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings, united
 from shapetween.timing.windows import Eased, turning_times
 
 SCHEDULE, _ = Schedule.of("linear").finer()
@@ -235,3 +235,21 @@ def test_the_last_bits_of_places_choose_no_easing(bent: int) -> None:
     for other in sums[1:]:
         assert other is not None
         assert other.easings == first.easings
+
+
+def test_sums_of_some_points_each_are_one_of_all_where_no_easing_comes_twice() -> None:
+    clock = np.linspace(0, 1, 121)
+    late = np.clip((clock - 0.25) / 0.5, 0, 1)
+    ways = np.stack([3 * late, 5 * clock, 7 * late, 0 * clock], axis=1)
+    points = np.stack([ways, -ways], axis=-1)
+    parts = []
+    corners = (0.25, 0.75)
+    groups: list[tuple[list[int], tuple[float, ...]]]
+    groups = [([0], corners), ([1], ()), ([2, 3], corners)]
+    for own, turns in groups:
+        one = sum_of_easings(points[:, own], clock, 0.01, 0.02, np.ones(len(own)), turns=turns)
+        assert one is not None
+        parts.append((np.array(own), one))
+    whole = united(parts, 4)
+    assert len(whole.easings) == 2
+    np.testing.assert_allclose(whole.at(clock) * 0.01, points - points[0], atol=0.03)

@@ -224,23 +224,21 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     ends = (low, high) if bar.comes else (high, low)
     stroke = _round_stroke([p for p in group if p.comes == bar.comes], laid)
     tipped = stroke is not None and float(stroke.ahead @ bar.ahead) > ALONG
-    # The stroke's own strips, whose ends have the body's form, follow behind its tip.
-    behind = 2 * stroke.half if stroke is not None and tipped else 0.0
-    tracks: list[CurveTrack] = []
-    for p, own in zip(group, rings, strict=True):
-        if p.comes == bar.comes:
-            late = ends[0] - behind, ends[1] - behind
-            tracks.append(Strip(own, bar.ahead, late, behind=True))
-        elif bar.holds(shapely.get_coordinates(p.area)):
-            tracks.append(Strip(own, bar.ahead, ends, behind=False))
-        else:  # It is no strip: what becomes of one is a claw of it.
-            tracks.append(Wiped(own, bar.ahead, ends, behind=False))
+    tip: Tip | None = None
     if stroke is not None and tipped:
         reach = (stroke.length / 2 - stroke.half) * stroke.ahead
         centres = np.stack([stroke.centre - reach, stroke.centre + reach])
         first, last = ((centres @ bar.ahead - low) / (high - low)).tolist()
-        tracks.append(Tip(centres, stroke.half, (first, last), bar.comes))
-    return tracks
+        tip = Tip(centres, stroke.half, (first, last), bar.comes)
+    tracks: list[CurveTrack] = []
+    for p, own in zip(group, rings, strict=True):
+        if p.comes == bar.comes:
+            tracks.append(tip.under(own) if tip else Strip(own, bar.ahead, ends, behind=True))
+        elif bar.holds(shapely.get_coordinates(p.area)):
+            tracks.append(Strip(own, bar.ahead, ends, behind=False))
+        else:  # It is no strip: what becomes of one is a claw of it.
+            tracks.append(Wiped(own, bar.ahead, ends, behind=False))
+    return tracks if tip is None else [*tracks, tip]
 
 
 def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:

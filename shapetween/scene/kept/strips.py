@@ -7,10 +7,11 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate, line_curves
+from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
 from shapetween.scene.kept.wipes import OfRings, unit_circle
 
-__all__ = ["Strip", "Tip"]
+__all__ = ["Strip", "Tip", "Under"]
 
 #: Steps of the time on which strips begin and end to go. More, and files are longer, for every such
 #: moment is written down; fewer, and strips side by side are seen to end at different places.
@@ -21,7 +22,8 @@ STEPS = 24
 LAST = 0.008
 
 #: Size of a round tip, as a share of the bar's width: in the bar's own end nothing is seen of it.
-WITHIN = 0.99
+#: Larger, and its quarters stick out of that; smaller, and the bar is seen to grow wider at last.
+WITHIN = 0.995
 
 #: Share of a strip's width within which its sides are one line along it. Larger, and round ends are
 #: taken for sides; smaller, and what rounding has turned a little is none.
@@ -135,10 +137,19 @@ class Tip(Leaf):
         """It is closed."""
         return (True,)
 
+    @cached_property
+    def _window(self) -> tuple[float, float]:
+        """When it sets off and arrives, of the time in which it is drawn; a step is left after."""
+        begins = max(round(self.ends[0] * STEPS), 1)
+        return begins / STEPS, max(min(round(self.ends[1] * STEPS), STEPS - 1), begins + 1) / STEPS
+
+    def under(self, rings: tuple[Outline, ...]) -> "Under":
+        """Rings of the bar that come as soon as it covers them, or go as long as it does."""
+        return Under(rings, self._window[1], self.comes)
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, 6, 4, 2)."""
-        begins = max(round(self.ends[0] * STEPS), 1) / STEPS
-        stops = max(min(round(self.ends[1] * STEPS), STEPS), round(begins * STEPS) + 1) / STEPS
+        begins, stops = self._window
         drawn = t if self.comes else 1 - t
         way = np.clip((drawn - begins) / (stops - begins), 0.0, 1.0)[:, None]
         size = WITHIN * self.half * np.clip(drawn / begins, 0.0, 1.0)
@@ -153,3 +164,35 @@ class Tip(Leaf):
         return np.stack(
             [arcs[:, 0], sides[:, 0], arcs[:, 1], arcs[:, 2], sides[:, 1], arcs[:, 3]], axis=1
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Under(OfRings):
+    """Rings under a bar that covers them: all grow at once when it does, out of their middles.
+
+    Attributes
+    ----------
+    since : float
+        The time from which on the bar covers them, until 1.
+    comes : bool
+        Whether the bar is drawn, else undrawn, and time runs the other way.
+
+    Notes
+    -----
+    A bar is convex, so that nothing sticks out of it on the way. Were they wiped as it is drawn,
+    each would take moments of its own, for nothing that is seen.
+    """
+
+    since: float
+    comes: bool
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        drawn = t if self.comes else 1 - t
+        size = np.clip((drawn - self.since) / (1 - self.since), 0.0, 1.0)[:, None, None, None]
+        grown = []
+        for ring in self.rings:
+            corners = ring.curves.reshape(-1, 2)
+            middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+            grown.append(np.where(size < 1, middle + size * (ring.curves - middle), ring.curves))
+        return np.concatenate(grown, axis=1)

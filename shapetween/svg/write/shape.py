@@ -8,15 +8,17 @@ Else, and where a number of keyframes is asked for, one animation runs through k
 
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Curves, Floats, Index
 from shapetween.geometry.merging import merged_curves
 from shapetween.model.part import Part, shown_while
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
-from shapetween.timing.sums import EasingSum, sum_of_easings
+from shapetween.timing.schedule import Schedule
+from shapetween.timing.sums import EasingSum, sum_of_easings, united
 from shapetween.timing.windows import turning_times
 
 __all__ = ["ShapeMotion", "shape_motion"]
@@ -54,9 +56,16 @@ MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
 MOST_LOOKED = 100_000
 
 
-#: Control points that are looked at for when they turn a corner: some of more, and those only at
-#: the samples. More take seconds; with fewer a corner that few of them turn is not found.
-MOST_LOOKED = 10_000
+#: With so many animations or fewer it is not tried whether rings by themselves take fewer bytes.
+#: More, and long files stay so; fewer, and it takes time for nothing.
+SHORT = 5
+
+#: Rings that are looked at by themselves. More take seconds.
+MOST_RINGS = 40
+
+#: By how much the acceleration of a ring changes at a corner, beside the greatest change there is.
+#: Larger, and what sets off slowly and stops at once is seen to stop only.
+NARROWLY = 0.005
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +74,12 @@ class ShapeMotion:
 
     rest: str
     animations: tuple[dict[str, str], ...]
+
+    @property
+    def bytes(self) -> int:
+        """About how many it takes."""
+        texts = [text for each in self.animations for pair in each.items() for text in pair]
+        return len(self.rest) + sum(len(text) + 2 for text in texts)
 
 
 def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> ShapeMotion:
@@ -80,52 +95,155 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
         How far points may be off on the way, in user units.
     """
     clock = _for_so_many(clock, sum(part.rings))
-    step = 10.0**-decimals
-    finer, kept = clock.schedule.finer()
     seen = shown_while(part) if clock.adaptive else (0.0, 1.0)
+    plan = _Plan(part, clock, decimals, tolerance, seen)
+    moved = plan.as_one()
+    if not clock.adaptive or not 1 < len(part.rings) <= MOST_RINGS:
+        return moved
+    if _is_short(moved) or not plan.looks:
+        return moved
+    apart = plan.by_rings()
+    return moved if apart is None or apart.bytes >= moved.bytes else apart
 
-    def places(clock: Floats) -> Floats:
-        curves = part.curves(np.clip(finer.time_at(clock), *seen))
-        return curves.reshape(len(clock), -1, 2)
 
-    stack, rings = part.curves(np.clip(finer.time, *seen)), part.rings
-    turns: tuple[float, ...] = ()
-    if clock.adaptive and stack[:, :, 0, 0].size <= MOST_LOOKED:
-        every = stack.reshape(len(stack), -1, 2)
-        apart = 1 + every.shape[1] // MOST_LOOKED
-        nearer = places if apart == 1 else None
-        turns = turning_times(every[:, ::apart], finer.clock, tolerance, nearer)
-        if turns:
-            finer, own = finer.with_corners(turns)
-            kept = own[kept]
-            stack = part.curves(np.clip(finer.time, *seen))
-        stack, rings = merged_curves(stack, rings, MERGED * tolerance, step / 2)
-    form = PathForm.of(rings, part.closed, straight_curves(stack, STRAIGHT * tolerance, step))
-    points = form.points(stack)
-    first = on_grid(points[:1], decimals)
-    rest = form.texts(first, decimals)[0]
-    if np.ptp(points, axis=0).max(initial=0.0) <= STILL * step:
-        return ShapeMotion(rest, ())
-    importance = np.where(form.handles, HANDLE, 1.0)
-    if clock.adaptive:
+def _is_short(motion: ShapeMotion) -> bool:
+    """Whether a movement is a sum of few easings, or none."""
+    count = len(motion.animations)
+    return count <= SHORT and (count > 1 or motion.bytes < (ANIMATION + len(motion.rest)) * SHORT)
 
-        @cache
-        def most() -> int:
-            return _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
 
-        late = seen != (0.0, 1.0)
-        found = sum_of_easings(
-            points, finer.clock, step, tolerance, importance, most, turns, late=late
-        )
-        if found is not None:
-            return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
-    points = points[kept]
-    moments, values, easing = _keyframes(points, importance, clock, tolerance)
-    texts = form.texts(on_grid(values, decimals), decimals)
-    if len(set(texts)) == 1:
-        return ShapeMotion(rest, ())
-    running = clock.running(moments, texts, easing)
-    return ShapeMotion(rest, tuple({"attributeName": "d", **timing} for timing in running))
+@dataclass(frozen=True, slots=True, eq=False)
+class _Plan:
+    """A part that is to be written, its clock, decimals and tolerance, and when it is seen."""
+
+    part: Part
+    clock: Clock
+    decimals: int
+    tolerance: float
+    seen: tuple[float, float]
+
+    @property
+    def looks(self) -> bool:
+        """Whether corners of the movement are looked for."""
+        steps = len(self.clock.schedule.finer()[0].clock)
+        return self.clock.adaptive and steps * sum(self.part.rings) <= MOST_LOOKED
+
+    @property
+    def step(self) -> float:
+        """Of the grid that places are written on."""
+        return 10.0**-self.decimals
+
+    def curves(self, schedule: Schedule) -> Curves:
+        """Curves at the samples of a schedule, (S, N, 4, 2)."""
+        return self.part.curves(np.clip(schedule.time, *self.seen))
+
+    def places(self, clock: Floats) -> Curves:
+        """Curves at any times of the player's clock (M,), (M, N, 4, 2)."""
+        return self.part.curves(np.clip(self.clock.schedule.time_at(clock), *self.seen))
+
+    def laid_out(self, stack: Curves) -> tuple[PathForm, Floats, tuple[int, ...]]:
+        """The path of curves (S, N, 4, 2), its points (S, K, 2), and the curves of each ring."""
+        rings = self.part.rings
+        if self.clock.adaptive:
+            stack, rings = merged_curves(stack, rings, MERGED * self.tolerance, self.step / 2)
+        straight = straight_curves(stack, STRAIGHT * self.tolerance, self.step)
+        form = PathForm.of(rings, self.part.closed, straight)
+        return form, form.points(stack), rings
+
+    def as_one(self) -> ShapeMotion:
+        """All points as one sum of easings, or through keyframes."""
+        clock, decimals, tolerance = self.clock, self.decimals, self.tolerance
+        finer, kept = clock.schedule.finer()
+        stack = self.curves(finer)
+        turns: tuple[float, ...] = ()
+        if self.looks:
+
+            def places(clock: Floats) -> Floats:
+                return self.places(clock).reshape(len(clock), -1, 2)
+
+            every = stack.reshape(len(stack), -1, 2)
+            turns = turning_times(every, finer.clock, tolerance, places)
+            if turns:
+                finer, own = finer.with_corners(turns)
+                kept = own[kept]
+                stack = self.curves(finer)
+        form, points, _ = self.laid_out(stack)
+        first = on_grid(points[:1], decimals)
+        rest = form.texts(first, decimals)[0]
+        if np.ptp(points, axis=0).max(initial=0.0) <= STILL * self.step:
+            return ShapeMotion(rest, ())
+        importance = np.where(form.handles, HANDLE, 1.0)
+        if clock.adaptive:
+
+            @cache
+            def most() -> int:
+                return _terms_of_use(len(rest), clock.keyframes_needed(points[kept], tolerance))
+
+            late = self.seen != (0.0, 1.0)
+            found = sum_of_easings(
+                points, finer.clock, self.step, tolerance, importance, most, turns, late=late
+            )
+            if found is not None:
+                return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
+        points = points[kept]
+        moments, values, easing = _keyframes(points, importance, clock, tolerance)
+        texts = form.texts(on_grid(values, decimals), decimals)
+        if len(set(texts)) == 1:
+            return ShapeMotion(rest, ())
+        running = clock.running(moments, texts, easing)
+        return ShapeMotion(rest, tuple({"attributeName": "d", **timing} for timing in running))
+
+    def by_rings(self) -> ShapeMotion | None:
+        """A sum of easings for each ring that turns corners at times of its own.
+
+        Those of the same corners, and those of none, are one. None if some ring has no sum.
+        """
+        turns = self._turns()
+        groups = sorted(set(turns))
+        finer, _ = self.clock.schedule.finer()
+        finer, _ = finer.with_corners(sorted({turn for group in groups for turn in group}))
+        form, points, rings = self.laid_out(self.curves(finer))
+        ring = np.repeat(np.arange(len(rings)), np.array(rings) * 4)[form.kept]
+        group_of = np.array([groups.index(own) for own in turns])[ring]
+        first = on_grid(points[:1], self.decimals)
+        importance = np.where(form.handles, HANDLE, 1.0)
+        sums: list[tuple[Index, EasingSum]] = []
+        for k, group in enumerate(groups):
+            own = np.flatnonzero(group_of == k)
+            if np.ptp(points[:, own], axis=0).max(initial=0.0) <= STILL * self.step:
+                continue
+            found = sum_of_easings(
+                points[:, own],
+                finer.clock,
+                self.step,
+                self.tolerance,
+                importance[own],
+                turns=group,
+                late=self.seen != (0.0, 1.0),
+            )
+            if found is None:
+                return None
+            sums.append((own, found))
+        if not sums:
+            return None
+        whole = united(sums, points.shape[1])
+        summed = _summed(whole, first, form, self.clock, self.decimals)
+        return ShapeMotion(form.texts(first, self.decimals)[0], summed)
+
+    def _turns(self) -> list[tuple[float, ...]]:
+        """When each ring sets off, stops or turns a corner."""
+        finer, _ = self.clock.schedule.finer()
+        stack = self.curves(finer)
+        ends = np.cumsum(self.part.rings).tolist()
+        found = []
+        for start, end in pairwise([0, *ends]):
+
+            def places(clock: Floats, first: int = start, last: int = end) -> Floats:
+                return self.places(clock)[:, first:last].reshape(len(clock), -1, 2)
+
+            own = stack[:, start:end].reshape(len(stack), -1, 2)
+            found.append(turning_times(own, finer.clock, self.tolerance, places, NARROWLY))
+        return found
 
 
 def _terms_of_use(length: int, keyframes: int) -> int:

@@ -1,3 +1,5 @@
+import xml.etree.ElementTree as ET
+
 import numpy as np
 import pytest
 
@@ -6,7 +8,9 @@ from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.svg.write.shape import MOST_LOOKED
 from shapetween.svg.write.smil import smil_svg
+from shapetween.timing.easing import easing_function
 from tests.movements import circle, formula_part
+from tests.smil import SVG, curves_of, path_at
 
 
 @pytest.mark.parametrize("curves", [4, MOST_LOOKED // 20])
@@ -24,3 +28,36 @@ def test_movements_of_very_many_curves_are_not_sampled_again_for_their_corners(c
     part = formula_part(ring, move, rings=rings, closed=(True,) * len(rings))
     smil_svg(Movement((part,), Box(0, 0, 100, 100)))
     assert (asked > 300) == (curves == 4)
+
+
+#: When each of many rings sets off and arrives: slowly at first, and quickly at last.
+WINDOWS = [(0.03 + 0.107 * k, 0.21 + 0.107 * k) for k in range(8)]
+
+
+def in_turn(t: Floats, start: Curves) -> Curves:
+    """Rings of four curves that go aside, each in a window of its own, and jump a little at last.
+
+    The last of them turns smoothly all the while.
+    """
+    moved = np.tile(start, (len(t), 1, 1, 1))
+    for k, (low, high) in enumerate(WINDOWS):
+        way = np.clip((t - low) / (high - low), 0, 1) * 3 + np.clip((t - high) / 0.008, 0, 1) * 1
+        moved[:, 4 * k : 4 * k + 4, ..., 1] += way[:, None, None]
+    turn = np.stack([np.cos(t), np.sin(t)], axis=-1)[:, None, None]
+    moved[:, 4 * len(WINDOWS) :] += 8 * turn
+    return moved
+
+
+@pytest.mark.parametrize("easing", ["linear", "cubic-bezier(.3,0,.6,1)"])
+def test_rings_that_move_in_windows_of_their_own_take_easings_over_those(easing: str) -> None:
+    """All together each window has to tell of all of them: a file half as long again."""
+    rings = [circle(np.array([5 + 10 * k, 20]), 4.0) for k in range(len(WINDOWS) + 1)]
+    counts = (4,) * len(rings)
+    part = formula_part(np.concatenate(rings), in_turn, rings=counts, closed=(True,) * len(counts))
+    text = smil_svg(Movement((part,), Box(0, 0, 100, 100)), duration=1000.0, easing=easing)
+    path = next(p for p in ET.fromstring(text).iter(f"{SVG}path") if len(p))
+    assert len(text) < 20_500
+    for u in np.linspace(0, 0.999, 150):
+        exact = part.curves(easing_function(easing)(np.array([u])))[0]
+        shown = np.concatenate([curves for curves, _ in curves_of(path_at(path, 1000 * u))])
+        assert np.linalg.norm(shown - exact, axis=-1).max() < 0.025 / 0.75
