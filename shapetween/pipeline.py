@@ -253,9 +253,11 @@ def _moved(
             scene = move_scene(one, other, boxes, asked, settings, names)
             return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
     lines = _lined(one, other, boxes)
-    if asked.exchange and _pierced_apart(one, other, lines, settings):
-        scene = move_scene(one, other, boxes, asked, settings, names)
-        return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+    if asked.exchange and len(one) == len(other) == 1:
+        if _pierced_apart(one[0], other[0], lines, settings):
+            scene = move_scene(one, other, boxes, asked, settings, names)
+            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+        asked = replace(asked, exchange=len(lines[0]) + len(lines[1]) > 2)
     if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
         one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
@@ -269,19 +271,16 @@ def _moved(
 
 
 def _pierced_apart(
-    one: Sequence[Item],
-    other: Sequence[Item],
-    lines: tuple[Sequence[Item], Sequence[Item]],
-    settings: FillSettings,
+    one: Item, other: Item, lines: tuple[Sequence[Item], Sequence[Item]], settings: FillSettings
 ) -> bool:
-    """Whether single areas are exchanged that nobody wants a mesh of and that are no strokes."""
+    """Whether two areas are exchanged: nobody wants a mesh of them, and no other way suits them."""
     if settings.method != "projective" or settings.quads is not None or settings.folds == "allow":
         return False
-    if not len(one) == len(other) == len(lines[0]) == len(lines[1]) == 1:
+    if not all(len(side) == 1 and side[0].filled for side in lines):
         return False
-    if not (lines[0][0].filled and lines[1][0].filled) or turns_over(one[0], other[0]):
+    if turns_over(one, other) or mouth_track(one, other) is not None:
         return False
-    return pierced_apart(one[0], other[0])
+    return pierced_apart(one, other)
 
 
 def _lined(

@@ -52,9 +52,9 @@ def animals() -> st.Chain:
 
 
 def seen(found: Drawing) -> shapely.Geometry:
-    """What is filled, flattened."""
+    """What is filled and seen, flattened."""
     shapes = []
-    for shape in found.shapes:
+    for shape in (s for s in found.shapes if s.style.opacity > 0):
         rings = [evaluate(r.curves, np.arange(256) / 256).reshape(-1, 2) for r in shape.rings]
         whole = shapely.Polygon()
         for polygon in map(shapely.Polygon, rings):
