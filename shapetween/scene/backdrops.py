@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from shapetween.base.arrays import Mask
 from shapetween.scene.assign import Roles
 from shapetween.scene.features import Feature, features_of
 from shapetween.scene.forms import RoundedBox
@@ -50,20 +49,10 @@ def _is_below_all(scene: Scene, card: int) -> bool:
     others = ~(scene.sheets | (scene.outlined == card))
     others[card] = False
     whole = float(scene.sizes[others].sum())
-    lying = float(scene.sizes[others & _inside(scene, card)].sum())
+    lying = float(scene.sizes[others & scene.ancestors[:, card]].sum())
     return whole > 0 and lying > COVERED * whole
 
 
 def _is_face(scene: Scene, head: int) -> bool:
     kinds = features_of(scene, sets_of(scene)).kinds
     return bool((kinds[scene.parents == head] & FACIAL).any())
-
-
-def _inside(scene: Scene, card: int) -> Mask:
-    """Which items lie in one, however deep."""
-    found = scene.parents == card
-    while True:
-        deeper = found | np.isin(scene.parents, np.flatnonzero(found))
-        if (deeper == found).all():
-            return np.asarray(found)
-        found = deeper

@@ -5,6 +5,7 @@ is drawn whole at any time is better then, small where it changes.
 """
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 import numpy as np
 
@@ -19,7 +20,17 @@ from shapetween.scene.presence import Leaving
 from shapetween.scene.relations import Scene, drawn_box, in_common, pictures
 from shapetween.scene.torn import closes
 
-__all__ = ["difference", "exchange_goings", "exchange_roles", "pierced_apart", "too_different"]
+__all__ = [
+    "behind_both",
+    "difference",
+    "exchange_goings",
+    "exchange_roles",
+    "pierced_apart",
+    "too_different",
+]
+
+Behind: TypeAlias = tuple[Mask, Mask]
+"""Which items of either drawing are behind all else."""
 
 #: Difference from which on drawings are exchanged. Fitted with the two weights to 166 pairs, each
 #: judged by eye to look better, as well, or worse exchanged: of 55 better ones it takes 42, of 75
@@ -64,7 +75,18 @@ GOES, COMES = (0.0, 0.47), (0.45, 1.0)
 LEAST = 0.28
 
 
-def too_different(a: Scene, b: Scene, roles: Roles) -> bool:
+def behind_both(a: Scene, b: Scene, roles: Roles) -> Behind:
+    """What of either drawing is its sheet or a backdrop, or that one's outline."""
+    cards = [roles.pairs[k] for k in backdrops(a, b, roles)]
+    found = []
+    for scene, own in ((a, [c.first for c in cards]), (b, [c.second for c in cards])):
+        behind = scene.sheets | np.isin(scene.outlined, own)
+        behind[own] = True
+        found.append(np.asarray(behind))
+    return found[0], found[1]
+
+
+def too_different(a: Scene, b: Scene, roles: Roles, behind: Behind) -> bool:
     """Whether two drawings are to be exchanged.
 
     One thing by itself becomes what it pairs with, whatever the two are, but for areas with holes.
@@ -74,15 +96,16 @@ def too_different(a: Scene, b: Scene, roles: Roles) -> bool:
     a, b : Scene
     roles : Roles
         Who would become whom.
+    behind : (mask, mask)
+        What `behind_both` finds.
     """
     if len(a.items) == len(b.items) == 1:
         return pierced_apart(a.items[0], b.items[0])
-    apart = _behind(a, b, roles)
-    counts = [int((~behind).sum()) for behind in apart]
-    pairs = [role for role in roles.pairs if not apart[0][role.first]]
-    if min(counts) == 0 or (len(pairs) and min(counts) == 1):
+    counts = [int((~own).sum()) for own in behind]
+    paired = any(not behind[0][role.first] for role in roles.pairs)
+    if min(counts) == 0 or (paired and min(counts) == 1):
         return False
-    return difference(a, b, roles) > EXCHANGED
+    return difference(a, b, roles, behind) > EXCHANGED
 
 
 def pierced_apart(one: Item, other: Item) -> bool:
@@ -98,7 +121,7 @@ def pierced_apart(one: Item, other: Item) -> bool:
     return 1 - float(in_common(found[:1], found[1:])[0, 0]) > PIERCED
 
 
-def difference(a: Scene, b: Scene, roles: Roles) -> float:
+def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     """How little two drawings have in common, 0 for nothing that differs.
 
     Parameters
@@ -106,8 +129,9 @@ def difference(a: Scene, b: Scene, roles: Roles) -> float:
     a, b : Scene
     roles : Roles
         Who would become whom.
+    behind : (mask, mask)
+        What `behind_both` finds.
     """
-    behind = _behind(a, b, roles)
     pairs = [role for role in roles.pairs if not behind[0][role.first]]
     firsts = np.array([role.first for role in pairs], dtype=np.intp)
     seconds = np.array([role.second for role in pairs], dtype=np.intp)
@@ -143,18 +167,9 @@ def _layers(scene: Scene) -> Mask:
     return np.asarray(np.tril(same, -1).any(axis=1))
 
 
-def _behind(a: Scene, b: Scene, roles: Roles) -> tuple[Mask, Mask]:
-    """What of either drawing is its sheet or a backdrop, or that one's outline."""
-    cards = [roles.pairs[k] for k in backdrops(a, b, roles)]
-    found = []
-    for scene, own in ((a, [c.first for c in cards]), (b, [c.second for c in cards])):
-        behind = scene.sheets | np.isin(scene.outlined, own)
-        behind[own] = True
-        found.append(np.asarray(behind))
-    return found[0], found[1]
-
-
-def exchange_roles(a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene]) -> Roles:
+def exchange_roles(
+    a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene], behind: Behind
+) -> Roles:
     """Roles of drawings that are exchanged: all is alone but what is behind or below it.
 
     Parameters
@@ -165,9 +180,10 @@ def exchange_roles(a: Scene, b: Scene, roles: Roles, cut: tuple[Scene, Scene]) -
         Who would become whom.
     cut : (Scene, Scene)
         What those are the roles of: with items that are cut into several.
+    behind : (mask, mask)
+        What `behind_both` finds in those.
     """
     places = [{id(item): k for k, item in enumerate(scene.items)} for scene in (a, b)]
-    behind = _behind(*cut, roles)
     staying = []
     for role in roles.pairs:
         first = places[0].get(id(cut[0].items[role.first]))

@@ -115,7 +115,7 @@ def features_of(scene: Scene, repeated: Sets) -> Features:
     found = Features(kinds, sides, np.full(count, -1, dtype=np.intp), _body(scene))
     if count <= MOST_ITEMS:
         sides_of_boxes = np.array([np.ptp(item.box, axis=0) for item in scene.items])
-        ancestors = _ancestors(scene)
+        ancestors = scene.ancestors
         rows = _rows(scene, repeated.counts >= REPEATED, ancestors, found.body)
         for anchor in sorted({row.anchor for row in rows}):
             own = [row for row in rows if row.anchor == anchor]
@@ -132,19 +132,6 @@ def _body(scene: Scene) -> int:
     largest = int(np.argmax(sizes))
     alone = (sizes > ALONE * sizes[largest]).sum() == 1
     return largest if alone and sizes[largest] > BODY * scene.scale else -1
-
-
-def _ancestors(scene: Scene) -> Mask:
-    """Whether each item lies in each, however deep, (N, N)."""
-    count = len(scene.items)
-    found = np.zeros((count, count), dtype=bool)
-    at = scene.parents.copy()
-    rows = np.arange(count)
-    while (at >= 0).any():
-        inside = (at >= 0) & ~found[rows, at]
-        found[rows[inside], at[inside]] = True
-        at = np.where(inside, scene.parents[at], -1)
-    return found
 
 
 def _rows(scene: Scene, pattern: Mask, ancestors: Mask, body: int) -> list[_Row]:

@@ -18,7 +18,7 @@ from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
 from shapetween.scene.borders import bordered_tracks
-from shapetween.scene.exchange import exchange_goings, exchange_roles, too_different
+from shapetween.scene.exchange import behind_both, exchange_goings, exchange_roles, too_different
 from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.going import Going
 from shapetween.scene.items import Item
@@ -134,12 +134,14 @@ def move_scene(
     (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
     still = paired.still
     notices: list[Notice] = []
-    exchange = asked.exchange and not kept and paired.frame is None and too_different(a, b, roles)
-    matched = None
+    exchange, matched = False, None
+    if asked.exchange and not kept and frame is None:
+        behind = behind_both(a, b, roles)
+        exchange = too_different(a, b, roles, behind)
     if exchange:
         matched = (a, b), roles
         a, b = perceive(first, views[0]), perceive(second, views[1])
-        roles = exchange_roles(a, b, roles, paired.scenes)
+        roles = exchange_roles(a, b, roles, paired.scenes, behind)
         notices.append(EXCHANGED_NOTICE)
     with settings.observe("move"):
         tracks: dict[int, tuple[CurveTrack, ...]] = {}

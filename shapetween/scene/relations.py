@@ -100,6 +100,19 @@ class Scene:
         return _parents(self.items, self.drawn, self.sheets, self.outlined)
 
     @cached_property
+    def ancestors(self) -> Mask:
+        """Whether each item lies in each, however deep, (N, N)."""
+        count = len(self.items)
+        found = np.zeros((count, count), dtype=bool)
+        at = self.parents.copy()
+        rows = np.arange(count)
+        while (at >= 0).any():
+            inside = (at >= 0) & ~found[rows, at]
+            found[rows[inside], at[inside]] = True
+            at = np.where(inside, self.parents[at], -1)
+        return found
+
+    @cached_property
     def outlined(self) -> Index:
         """The fill that a line is the outline of, -1 without one, (N,)."""
         return _outlined(self.items, self.drawn, self.scale)

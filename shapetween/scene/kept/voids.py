@@ -16,7 +16,7 @@ from shapetween.scene.kept.bars import bar_of
 from shapetween.scene.kept.stretches import Snapped
 from shapetween.scene.kept.wipes import Against, Slot
 from shapetween.scene.motion.choose import Ends, open_track
-from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_of
+from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_of, way_between
 from shapetween.scene.motion.holes import Opening, matched_holes
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
@@ -66,8 +66,6 @@ def paired_voids(
     scale : float
         Size of the drawing.
     """
-    import shapely
-
     if not first or not second:
         return []
     items = [[Item((ring.clockwise(),), _INK) for ring in side] for side in (first, second)]
@@ -76,7 +74,7 @@ def paired_voids(
     allowed = (apart <= APART) & (np.abs(np.log(sizes[0][:, None] / sizes[1])) <= GROWN)
     both = solid[0].intersection(solid[1])
     for i, j in np.argwhere(allowed).tolist():
-        way = shapely.union(items[0][i].enclosed, items[1][j].enclosed).convex_hull
+        way = way_between(items[0][i], items[1][j])
         allowed[i, j] = way.difference(both).area <= STRAY * way.area
     return paired_holes(items[0], items[1], apart, allowed)
 

@@ -22,7 +22,7 @@ from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["distances", "divided_hole", "paired_holes", "stroke_of"]
+__all__ = ["distances", "divided_hole", "paired_holes", "stroke_of", "way_between"]
 
 #: What a factor e in size costs beside the distance of two holes. Without it, two holes that swap
 #: sizes go to what is a little nearer; much more, and a hole that grows in place becomes another.
@@ -209,7 +209,7 @@ def _meets(
     second: Sequence[Item],
 ) -> bool:
     """Whether a hole's way meets one that stays alone, or another one on its own way."""
-    own = _way(pair, first, second)
+    own = way_between(first[pair[0]], second[pair[1]])
     alone = [
         hole.enclosed
         for side, holes in enumerate((first, second))
@@ -219,7 +219,7 @@ def _meets(
     if any(_overlaps(own, other) for other in alone):
         return True
     for other in pairs:
-        if other == pair or not own.intersects(_way(other, first, second)):
+        if other == pair or not own.intersects(way_between(first[other[0]], second[other[1]])):
             continue
         moving = [
             [_between(first[i].enclosed, second[j].enclosed, t) for t in LOOKED.tolist()]
@@ -230,12 +230,11 @@ def _meets(
     return False
 
 
-def _way(
-    pair: tuple[int, int], first: Sequence[Item], second: Sequence[Item]
-) -> "shapely.Geometry":
+def way_between(one: Item, other: Item) -> "shapely.Geometry":
+    """What a hole may pass over that becomes another: the hull of both."""
     import shapely
 
-    return shapely.union(first[pair[0]].enclosed, second[pair[1]].enclosed).convex_hull
+    return shapely.union(one.enclosed, other.enclosed).convex_hull
 
 
 def _overlaps(one: "shapely.Geometry", other: "shapely.Geometry") -> bool:
