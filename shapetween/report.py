@@ -128,11 +128,11 @@ def _parts(scene: SceneMovement) -> list[dict[str, Any]]:
     ]
     found += [
         {"from": _item(a.items[k], k), "to": None, "cost": _number(cost), "reason": "alone"}
-        for k, cost in zip(scene.roles.leavers, scene.roles.left, strict=True)
+        for k, cost in zip(scene.roles.disappearing, scene.roles.disappearing_costs, strict=True)
     ]
     found += [
         {"from": None, "to": _item(b.items[k], k), "cost": _number(cost), "reason": "alone"}
-        for k, cost in zip(scene.roles.comers, scene.roles.come, strict=True)
+        for k, cost in zip(scene.roles.appearing, scene.roles.appearing_costs, strict=True)
     ]
     return found
 

@@ -143,7 +143,7 @@ def test_shapes_without_a_partner_are_not_seen_where_they_are_not(many: Prepared
     assert {parts["post"].style(t).stroke.width for t in (0.1, 0.8)} == {2.0}  # type: ignore[union-attr]
 
 
-def test_newcomers_stand_above_what_they_stand_above_and_leavers_stay_in_place() -> None:
+def test_newcomers_stand_above_what_they_stand_above_and_what_disappears_stays_in_place() -> None:
     shapes = [area(square(10 * k, 10, 8), name=name) for k, name in enumerate("abcde")]
     few, all_five = drawing(shapes[1], shapes[3]), drawing(*shapes)
     for first, second, gone in ((few, all_five, 0.0), (all_five, few, 1.0)):

@@ -69,17 +69,17 @@ class Roles:
     Attributes
     ----------
     pairs : tuple of Role
-    leavers, comers : tuple of int
+    disappearing, appearing : tuple of int
         Items without a partner.
-    left, come : tuple of float
+    disappearing_costs, appearing_costs : tuple of float
         What the best partner would have cost each of them, less what leaving both alone does.
     """
 
     pairs: tuple[Role, ...]
-    leavers: tuple[int, ...]
-    comers: tuple[int, ...]
-    left: tuple[float, ...] = ()
-    come: tuple[float, ...] = ()
+    disappearing: tuple[int, ...]
+    appearing: tuple[int, ...]
+    disappearing_costs: tuple[float, ...] = ()
+    appearing_costs: tuple[float, ...] = ()
 
 
 def assign(
@@ -148,15 +148,15 @@ def assign(
         Role(int(i), int(j), float(cost), fixed.get((int(i), int(j)), "matched"))
         for i, j, cost in zip(now.first, now.second, now.costs, strict=True)
     )
-    leavers = sorted(set(range(count[0])) - {p.first for p in pairs})
-    comers = sorted(set(range(count[1])) - {p.second for p in pairs})
+    disappearing = sorted(set(range(count[0])) - {p.first for p in pairs})
+    appearing = sorted(set(range(count[1])) - {p.second for p in pairs})
     missing = costs - left[0][:, None] - left[1]
     return Roles(
         pairs,
-        tuple(leavers),
-        tuple(comers),
-        tuple(missing[k].min(initial=np.inf) for k in leavers),
-        tuple(missing[:, k].min(initial=np.inf) for k in comers),
+        tuple(disappearing),
+        tuple(appearing),
+        tuple(missing[k].min(initial=np.inf) for k in disappearing),
+        tuple(missing[:, k].min(initial=np.inf) for k in appearing),
     )
 
 

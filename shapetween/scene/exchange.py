@@ -193,11 +193,17 @@ def exchange_roles(
         if (behind[0][role.first] and behind[1][role.second]) or _is_ground(first, second, a, b):
             staying.append(Role(first, second, role.cost, role.reason))
     ends = {role.first for role in staying}, {role.second for role in staying}
-    leavers, comers = (
+    disappearing, appearing = (
         tuple(k for k in range(len(scene.items)) if k not in own)
         for scene, own in zip((a, b), ends, strict=True)
     )
-    return Roles(tuple(staying), leavers, comers, (np.inf,) * len(leavers), (np.inf,) * len(comers))
+    return Roles(
+        tuple(staying),
+        disappearing,
+        appearing,
+        (np.inf,) * len(disappearing),
+        (np.inf,) * len(appearing),
+    )
 
 
 def exchange_goings(scene: Scene, lone: Sequence[int], end: End) -> dict[int, Going]:

@@ -18,7 +18,7 @@ from shapetween.scene.relations import Scene
 
 __all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
 
-#: When what has no partner goes, and when it comes. Leavers go early and newcomers come late, but
+#: When what has no partner disappears, and when it appears. One is early and the other late, but
 #: they overlap: apart, the middle is empty; much more together, and both are seen at once.
 GOES, COMES = (0.0, 0.44), (0.42, 1.0)
 

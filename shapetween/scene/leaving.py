@@ -59,8 +59,8 @@ LIKE = (0.8, 2.5)
 AWAY_FROM_HOME = np.array([0.0, 0.25, 0.5])
 
 #: Distance of what goes from what comes, as a share of the drawing, from which on both may be seen
-#: at once. Smaller, and one grows into what is left of the other; larger, and newcomers wait for
-#: what is nowhere near them.
+#: at once. Smaller, and one grows into what is left of the other; larger, and what appears
+#: waits for what is nowhere near it.
 APART = 0.03
 
 #: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.

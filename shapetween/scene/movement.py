@@ -164,11 +164,13 @@ def move_scene(
         )
         if exchange:
             goings = (
-                exchange_goings(a, roles.leavers, End.SOURCE),
-                exchange_goings(b, roles.comers, End.TARGET),
+                exchange_goings(a, roles.disappearing, End.SOURCE),
+                exchange_goings(b, roles.appearing, End.TARGET),
             )
         else:
-            goings = goings_between((a, b), anchors, (roles.leavers, roles.comers), asked.change)
+            goings = goings_between(
+                (a, b), anchors, (roles.disappearing, roles.appearing), asked.change
+            )
         parts: list[Part] = []
         named: set[str] = set()
         drawn = [
@@ -209,11 +211,11 @@ def _part(
         if not one.filled and (one.painted is not None or other.painted is not None):
             notices = (stroke_notice(one.name or other.name, "it is drawn as a line of one width"),)
         return *pair_part(one, other, found, frame, layer), notices
-    if layer.leaver is not None:
-        item, going, end = a.items[layer.leaver], goings[0][layer.leaver], End.SOURCE
+    if layer.disappearing is not None:
+        item, going, end = a.items[layer.disappearing], goings[0][layer.disappearing], End.SOURCE
     else:
-        assert layer.comer is not None
-        item, going, end = b.items[layer.comer], goings[1][layer.comer], End.TARGET
+        assert layer.appearing is not None
+        item, going, end = b.items[layer.appearing], goings[1][layer.appearing], End.TARGET
     part, notices = unmatched_part(item, going, end, frame)
     return part, None, notices
 

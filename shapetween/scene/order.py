@@ -28,15 +28,15 @@ class Layer:
     ----------
     pair : int or None
         Index of the pair.
-    leaver, comer : int or None
+    disappearing, appearing : int or None
         An item without a partner.
     shown : {"always", "first", "last"}
         Whether a copy is seen always, or fades out or in half way.
     """
 
     pair: int | None = None
-    leaver: int | None = None
-    comer: int | None = None
+    disappearing: int | None = None
+    appearing: int | None = None
     shown: str = "always"
 
 
@@ -75,8 +75,8 @@ def layers_of(a: Scene, b: Scene, roles: Roles) -> list[Layer]:
             continue
         placed.append((one, 1, first, Layer(pair=k, shown="first" if one > other else "always")))
         placed.append((other, 1, second, Layer(pair=k, shown="last" if other > one else "always")))
-    placed += [(place(k, False), 1, k, Layer(leaver=k)) for k in roles.leavers]
-    placed += [(place(k, True), 2, k, Layer(comer=k)) for k in roles.comers]
+    placed += [(place(k, False), 1, k, Layer(disappearing=k)) for k in roles.disappearing]
+    placed += [(place(k, True), 2, k, Layer(appearing=k)) for k in roles.appearing]
     placed.sort(key=lambda entry: entry[:3])
     return [layer for *_, layer in placed]
 

@@ -56,6 +56,6 @@ def shape_pairs(leg: Morph) -> list[dict[str, Any]]:
         return [{"a": 1, "b": 1}]
     a, b = (half.items for half in scene.scenes)
     found = [(a[role.first].shape + 1, b[role.second].shape + 1) for role in scene.roles.pairs]
-    found += [(a[k].shape + 1, 0) for k in scene.roles.leavers]
-    found += [(0, b[k].shape + 1) for k in scene.roles.comers]
+    found += [(a[k].shape + 1, 0) for k in scene.roles.disappearing]
+    found += [(0, b[k].shape + 1) for k in scene.roles.appearing]
     return [{"a": one, "b": other} for one, other in dict.fromkeys(found)]

@@ -106,7 +106,7 @@ def test_what_is_the_same_in_both_stands_still(name: str, count: int) -> None:
 )
 def test_a_slash_is_drawn_along_its_length(name: str) -> None:
     found = scene(name)
-    slash = max(found.roles.comers, key=lambda k: found.scenes[1].items[k].length)
+    slash = max(found.roles.appearing, key=lambda k: found.scenes[1].items[k].length)
     part = next(
         p
         for p in morph(name).prepared.movement.parts
@@ -201,8 +201,8 @@ def test_mirror_symmetry_is_kept(name: str, level: bool, least: float) -> None:
 )
 def test_one_area_divides_into_several(name: str) -> None:
     found = scene(name)
-    assert not found.roles.leavers
-    assert not found.roles.comers
+    assert not found.roles.disappearing
+    assert not found.roles.appearing
     start, end = (drawn(frame).area for frame in frames(name, np.array([0.0, 1.0])))
     for frame in frames(name):
         assert 0.8 * min(start, end) < drawn(frame).area < 1.1 * max(start, end)
@@ -211,7 +211,7 @@ def test_one_area_divides_into_several(name: str) -> None:
 def test_one_closed_line_divides_into_two() -> None:
     found = scene("play-pause-bar-from-nothing")
     assert len(found.roles.pairs) == 2
-    assert not found.roles.comers
+    assert not found.roles.appearing
 
 
 def test_a_part_that_goes_makes_no_hole() -> None:
@@ -223,8 +223,8 @@ def test_a_part_that_goes_makes_no_hole() -> None:
 
 def test_a_cross_bar_shrinks_into_the_crossing() -> None:
     found = scene("plus-minus-shrinks-to-one-end")
-    (leaver,) = found.roles.leavers
-    home = found.scenes[0].items[leaver].outer.curves
+    (gone,) = found.roles.disappearing
+    home = found.scenes[0].items[gone].outer.curves
     part = next(
         p
         for p in morph("plus-minus-shrinks-to-one-end").prepared.movement.parts
@@ -256,7 +256,7 @@ def test_a_drawing_upside_down_turns_as_one(name: str) -> None:
 
 def test_rays_shrink_before_the_moon_is_there() -> None:
     name = "sun-rays-stay-on-the-moon"
-    assert len(scene(name).roles.leavers) == 8
+    assert len(scene(name).roles.disappearing) == 8
     for frame in frames(name, np.array([0.5, 0.75])):
         visible = [shape for shape in frame.shapes if shape.style.opacity > 0.1]
         assert len(visible) == 1

@@ -470,7 +470,7 @@ def test_what_fills_a_notch_is_not_cut_off_the_body(
     body = notched if alone else shapely.box(22, 22, 80, 78)
     found = prepared(path(shapely.box(14, 16, 94, 86)), path(body) + path(shapely.box(*flap)))
     assert found.scene is not None
-    assert len(found.scene.roles.comers) == alone
+    assert len(found.scene.roles.appearing) == alone
 
 
 def test_the_tip_of_a_slash_is_round_while_it_is_drawn() -> None:

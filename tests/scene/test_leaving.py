@@ -190,7 +190,9 @@ def test_what_hangs_on_a_line_that_comes_is_drawn_after_it(tmp_path: Path) -> No
     np.testing.assert_allclose(box(foot, 0.8).mean(axis=0)[0], 12, atol=0.1)
 
 
-def test_leavers_are_early_newcomers_late_and_the_middle_is_not_empty(tmp_path: Path) -> None:
+def test_what_disappears_is_early_what_appears_late_and_the_middle_is_not_empty(
+    tmp_path: Path,
+) -> None:
     brows = '<path d="M6 6h4v1h-4z"/><path d="M14 6h4v1h-4z"/>'
     lid = '<path d="M6 6h12v2h-12z"/>'
     found = morph(tmp_path, FACE + EYES + brows, FACE + EYES + lid)

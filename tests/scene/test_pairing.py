@@ -297,4 +297,4 @@ def test_a_thumb_turns_down_as_a_card_does() -> None:
     assert found is not None
     assert found.frame is not None
     assert found.frame.over == 1
-    assert not found.roles.leavers + found.roles.comers
+    assert not found.roles.disappearing + found.roles.appearing
