@@ -115,11 +115,11 @@ def test_coordinates_off_by_rounding_are_one_outline_and_exact_at_both_ends() ->
 def test_a_new_hole_opens_round_its_middle() -> None:
     hole = shapely.Point(55, 45).buffer(12)
     for t, area in zip(T, frames(path(BOX), path(BOX.difference(hole))), strict=True):
-        void = BOX.difference(area)
+        gap = BOX.difference(area)
         if t > 0.2:
-            assert void.area > 1
-            assert void.centroid.distance(hole.centroid) < 0.1
-            assert void.difference(hole.buffer(0.01)).area < 0.01
+            assert gap.area > 1
+            assert gap.centroid.distance(hole.centroid) < 0.1
+            assert gap.difference(hole.buffer(0.01)).area < 0.01
         assert area.difference(BOX).area < 0.01
 
 
@@ -130,9 +130,9 @@ def test_a_hole_slides_and_stays_a_disc() -> None:
     for t, area in zip(
         T, frames(path(pill.difference(left)), path(pill.difference(right))), strict=True
     ):
-        (void,) = [v for v in shapely.get_parts(pill.difference(area)) if v.area > 1e-3]
-        assert void.area == pytest.approx(left.area, rel=0.01)
-        assert void.centroid.x == pytest.approx(30 + 40 * t, abs=0.1)
+        (gap,) = [v for v in shapely.get_parts(pill.difference(area)) if v.area > 1e-3]
+        assert gap.area == pytest.approx(left.area, rel=0.01)
+        assert gap.centroid.x == pytest.approx(30 + 40 * t, abs=0.1)
 
 
 def test_a_hole_that_is_a_stroke_bends_as_a_line_at_constant_width() -> None:
@@ -320,8 +320,8 @@ def test_a_slot_opens_round_in_its_middle_and_is_drawn_to_both_ends() -> None:
     slot = shapely.LineString([(30, 50), (70, 50)]).buffer(5)
     lengths = []
     for area in frames(path(BOX), path(BOX.difference(slot)))[3:]:
-        void = BOX.buffer(-1).difference(area)
-        low, high = np.array(void.bounds).reshape(2, 2)
+        gap = BOX.buffer(-1).difference(area)
+        low, high = np.array(gap.bounds).reshape(2, 2)
         np.testing.assert_allclose([low[0] + high[0], low[1], high[1]], [100, 45, 55], atol=0.1)
         lengths.append(high[0] - low[0])
     assert np.diff(lengths)[:-2].min() > 0.5
@@ -384,10 +384,10 @@ def test_a_tick_that_is_knocked_out_closes_before_a_cross_opens_in_its_place() -
     cross = shapely.MultiLineString([[(38, 38), (62, 62)], [(62, 38), (38, 62)]]).buffer(3)
     found = frames(path(BOX.difference(tick)), path(BOX.difference(cross)))
     for t, area in zip(T, found, strict=True):
-        void = BOX.buffer(-1).difference(area)
+        gap = BOX.buffer(-1).difference(area)
         seen = tick if t < 0.5 else cross
-        assert void.difference(seen.convex_hull.buffer(0.1)).area < 0.01
-        assert (void.area > 1) == (t != 0.5)
+        assert gap.difference(seen.convex_hull.buffer(0.1)).area < 0.01
+        assert (gap.area > 1) == (t != 0.5)
 
 
 def test_what_comes_apart_divides_and_is_no_kept_area() -> None:

@@ -22,12 +22,12 @@ from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.changes import tracks_of_pieces
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
 from shapetween.scene.kept.stretches import Snapped, snapped
-from shapetween.scene.kept.voids import (
-    lone_void,
+from shapetween.scene.kept.holes import (
+    unmatched_hole_track,
     loose_holes,
-    paired_voids,
-    void_track,
-    voids_in_turn,
+    matched_hole_pairs,
+    matched_hole_track,
+    holes_in_turn,
 )
 from shapetween.scene.kept.wipes import InTurn
 
@@ -317,15 +317,15 @@ def _tracks(
     rings = drawn_rings(kept[0]), drawn_rings(kept[1])
     count = len(rings[0])
     loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
-    pairs = paired_voids(*loose, solid, scale)
+    pairs = matched_hole_pairs(*loose, solid, scale)
     paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
-    voids = [void_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
-    for side, k in voids_in_turn(holes, paired, chords.polylines, solid):
+    moving = [matched_hole_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
+    for side, k in holes_in_turn(holes, paired, chords.polylines, solid):
         paired.add(k)
         ring = loose[side][holes[side].index(k)]
-        voids.append(InTurn(lone_void(ring, closes=side == 0), first=side == 0))
+        moving.append(InTurn(unmatched_hole_track(ring, closes=side == 0), first=side == 0))
     laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
-    if not laid.pieces and not voids:
+    if not laid.pieces and not moving:
         return None
     bound = [
         {k: ring for k, ring in enumerate(side) if k + first not in {*holes[0], *holes[1]}}
@@ -345,7 +345,7 @@ def _tracks(
             own = [InTurn(track, first=not badge.comes) for track in own]
         moved = (*moved, *own)
         taken[badge.comes].extend(beside[badge.comes][k] for k in badge.items)
-    return (*moved, *voids), taken
+    return (*moved, *moving), taken
 
 
 def _covered(sides: tuple[Sequence[Item], Sequence[Item]], members: Family) -> bool:

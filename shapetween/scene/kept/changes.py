@@ -14,7 +14,7 @@ from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.strips import Strip, Tip
-from shapetween.scene.kept.voids import lone_void
+from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.wipes import Telescoped, Wiped, extent_along
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
@@ -117,7 +117,7 @@ def tracks_of_pieces(
     if not any(groups):
         bars = _common_bar(others, laid.kept)
         groups, rest = _beside(others, bars)
-    openings = [lone_void(laid.rings_of(piece)[0], piece.comes) for piece in holes]
+    openings = [unmatched_hole_track(laid.rings_of(piece)[0], piece.comes) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
     large = max(areas) > LARGE * laid.kept.area
     # A hole that opens to the outside is none by itself: outlines alone would leave it out.

@@ -25,7 +25,13 @@ from shapetween.scene.strokes import as_painted, line_of
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["lone_void", "loose_holes", "paired_voids", "void_track", "voids_in_turn"]
+__all__ = [
+    "unmatched_hole_track",
+    "loose_holes",
+    "matched_hole_pairs",
+    "matched_hole_track",
+    "holes_in_turn",
+]
 
 #: Greatest distance of two holes that become each other, as a share of the drawing, and factor
 #: between their sizes, as a logarithm. More, and a hole crosses what another would open in.
@@ -49,7 +55,7 @@ SLOT = 2.2
 _INK = Style(fill=Colour())
 
 
-def paired_voids(
+def matched_hole_pairs(
     first: Sequence[Outline],
     second: Sequence[Outline],
     solid: "tuple[shapely.Geometry, shapely.Geometry]",
@@ -79,7 +85,7 @@ def paired_voids(
     return paired_holes(items[0], items[1], apart, allowed)
 
 
-def voids_in_turn(
+def holes_in_turn(
     holes: tuple[list[int], list[int]],
     paired: Collection[int],
     polylines: Sequence[Points],
@@ -131,7 +137,7 @@ def loose_holes(
     return loose
 
 
-def void_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
+def matched_hole_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
     """A hole that becomes another, run against what it lies in.
 
     Parameters
@@ -149,7 +155,7 @@ def void_track(first: Outline, second: Outline, scale: float) -> CurveTrack:
     return Against(track) if signed_area(start) > 0 else track
 
 
-def lone_void(ring: Outline, closes: bool) -> CurveTrack:
+def unmatched_hole_track(ring: Outline, closes: bool) -> CurveTrack:
     """A hole that opens round its middle, or closes; a bar opens round and is drawn to both ends.
 
     Parameters
@@ -157,15 +163,15 @@ def lone_void(ring: Outline, closes: bool) -> CurveTrack:
     ring : Outline
     closes : bool
     """
-    void = ring.clockwise().reversed().curves
+    hole = ring.clockwise().reversed().curves
     area = Item((ring.clockwise(),), _INK).enclosed
     bar = bar_of(area, slender=SLOT)
     if bar is None:
-        return Opening(Blend(Pieces(void, void, True), np.stack([void[0, 0]] * 2)), closes)
-    places = void @ bar.ahead
+        return Opening(Blend(Pieces(hole, hole, True), np.stack([hole[0, 0]] * 2)), closes)
+    places = hole @ bar.ahead
     middle, half = float(places.min() + places.max()) / 2, float(np.ptp(places)) / 2 - bar.half
-    begun = void - np.clip(places - middle, -half, half)[..., None] * bar.ahead
-    return Slot(begun, void, closes)
+    begun = hole - np.clip(places - middle, -half, half)[..., None] * bar.ahead
+    return Slot(begun, hole, closes)
 
 
 def _as_stroke(one: Item, other: Item, scale: float) -> CurveTrack | None:
