@@ -9,10 +9,10 @@ from shapetween.boolean.area import filled_area
 from shapetween.geometry.bezier import flatten
 from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.stretches import snapped
 from shapetween.scene.kept.strips import Strip, Tip
-from shapetween.scene.kept.wipes import Telescoped, Wiped
 from shapetween.svg.read.reader import read_svg
 from tests.drawings import ring, square
 from tests.scene.strokes import arc
@@ -183,7 +183,7 @@ def test_a_notch_is_drawn_in_by_the_outline_itself() -> None:
 
 
 def test_what_has_moved_is_no_kept_area() -> None:
-    """A shackle that turns: what is left of it must not be wiped, and come elsewhere."""
+    """A shackle that turns: what is left of it must not be clipped, and come elsewhere."""
     body = shapely.box(20, 50, 80, 90)
     bow = shapely.LineString([(35, 55), (35, 30), (65, 30), (65, 55)]).buffer(4)
     turned = shapely.LineString([(65, 55), (65, 30), (95, 30), (95, 45)]).buffer(4)
@@ -214,10 +214,10 @@ def test_what_is_matched_by_the_user_is_no_part_of_a_kept_area() -> None:
 
 
 @pytest.mark.parametrize("behind", [False, True])
-def test_a_wipe_leaves_exactly_what_is_on_one_side_of_the_line(behind: bool) -> None:
+def test_a_half_plane_leaves_exactly_what_is_on_one_side_of_the_line(behind: bool) -> None:
     disc = arc((50, 50), 20, 0, 4)
     ahead = np.array([0.6, 0.8])
-    track = Wiped((disc,), ahead, (40.0, 110.0), behind)
+    track = HalfPlaneClip((disc,), ahead, (40.0, 110.0), behind)
     curves = track.curves(T)
     assert curves.shape[1] == sum(track.counts)
     across = np.array([-0.8, 0.6])
@@ -391,7 +391,7 @@ def test_a_tick_that_is_knocked_out_closes_before_a_cross_opens_in_its_place() -
 
 
 def test_what_comes_apart_divides_and_is_no_kept_area() -> None:
-    """A gap that opens between two halves is not wiped out of them; one with a bar in it is."""
+    """A gap that opens between two halves is not clipped out of them; one with a bar in it is."""
     halves = shapely.MultiPolygon([shapely.box(20, 20, 40, 80), shapely.box(60, 20, 80, 80)])
     for t, area in zip(T, frames(path(BOX), path(halves)), strict=True):
         assert off(area, BOX.difference(shapely.box(50 - 10 * t, 0, 50 + 10 * t, 100))) < 1

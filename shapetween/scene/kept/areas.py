@@ -17,19 +17,19 @@ from shapetween.fill.splitting import split_alike
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
+from shapetween.scene.kept.appearing import InTurn
 from shapetween.scene.kept.badges import badge_tracks, badges_of, meets
 from shapetween.scene.kept.bars import Bar, bar_of
 from shapetween.scene.kept.changes import tracks_of_pieces
-from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
-from shapetween.scene.kept.stretches import Snapped, snapped
 from shapetween.scene.kept.holes import (
-    unmatched_hole_track,
+    holes_in_turn,
     loose_holes,
     matched_hole_pairs,
     matched_hole_track,
-    holes_in_turn,
+    unmatched_hole_track,
 )
-from shapetween.scene.kept.wipes import InTurn
+from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
+from shapetween.scene.kept.stretches import Snapped, snapped
 
 if TYPE_CHECKING:
     pass
@@ -271,7 +271,7 @@ def _look(
 def _divides(looked: _Looked, reach: float) -> bool:
     """Whether one area comes apart into several, or back, with nothing but gaps between them.
 
-    It does so as a cell: nothing is wiped from between what then stands as if it always had.
+    It does so as a cell: nothing is clipped from between what then stands as if it always had.
     """
     sides = sorted(looked.items, key=len)
     if looked.bars or len(sides[0]) != 1 or len(sides[1]) < 2:

@@ -12,8 +12,8 @@ from shapetween.geometry.bezier import sub_curves
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.items import Item
+from shapetween.scene.kept.appearing import OfRings, unit_circle
 from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
-from shapetween.scene.kept.wipes import OfRings, unit_circle
 
 if TYPE_CHECKING:
     import shapely

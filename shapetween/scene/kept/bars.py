@@ -17,7 +17,7 @@ __all__ = ["Bar", "bar_of"]
 #: Least ratio of the sides of a bar, and share of its rectangle that it fills.
 SLENDER, FILLED = 4.0, 0.75
 
-#: How far from a bar's middle line a piece may reach to be wiped with it, in halves of its width:
+#: How far from a bar's middle line a piece may reach to be clipped with it, in halves of its width:
 #: the gaps beside a slash are up to as wide as the slash.
 BESIDE = 3.2
 

@@ -10,12 +10,12 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
+from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped, extent_along
 from shapetween.scene.kept.bars import Bar, bar_of
+from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.strips import Strip, Tip
-from shapetween.scene.kept.holes import unmatched_hole_track
-from shapetween.scene.kept.wipes import Telescoped, Wiped, extent_along
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 
@@ -39,7 +39,7 @@ MOVED = 0.06
 STRAY = 0.03
 
 #: Cosine of the angle within which a border runs straight up, and least share of it that does so,
-#: for a piece to slide into what it stands on as it is; others are wiped.
+#: for a piece to slide into what it stands on as it is; others are clipped.
 WALL, WALLS = 0.96, 0.35
 
 #: Least area, as a share of what is kept, that comes or goes for whole outlines to move.
@@ -213,7 +213,7 @@ def _blend(source: Curves, target: Curves) -> Blend:
 
 
 def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
-    """Pieces wiped as a bar is drawn, or undrawn."""
+    """Pieces clipped as a bar is drawn, or undrawn."""
     import shapely
 
     if not group:
@@ -237,7 +237,7 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
         elif bar.holds(shapely.get_coordinates(p.area)):
             tracks.append(Strip(own, bar.ahead, ends, behind=False))
         else:  # It is no strip: what becomes of one is a claw of it.
-            tracks.append(Wiped(own, bar.ahead, ends, behind=False))
+            tracks.append(HalfPlaneClip(own, bar.ahead, ends, behind=False))
     return tracks if tip is None else [*tracks, tip]
 
 
@@ -269,7 +269,7 @@ def _at_contact(piece: Piece, laid: Overlay) -> CurveTrack:
     if _stands(piece, laid) and _has_walls(piece, way):
         return Telescoped(rings, way, low, high - low, piece.comes)
     ends = (low, high) if piece.comes else (high, low)
-    return Wiped(rings, way, ends, True)
+    return HalfPlaneClip(rings, way, ends, True)
 
 
 def _stands(piece: Piece, laid: Overlay) -> bool:

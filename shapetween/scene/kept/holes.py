@@ -12,9 +12,9 @@ from shapetween.model.paint import Colour, Style
 from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import form_of
 from shapetween.scene.items import Item
+from shapetween.scene.kept.appearing import Against, Slot
 from shapetween.scene.kept.bars import bar_of
 from shapetween.scene.kept.stretches import Snapped
-from shapetween.scene.kept.wipes import Against, Slot
 from shapetween.scene.motion.choose import Ends, open_track
 from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_of, way_between
 from shapetween.scene.motion.holes import Opening, matched_holes
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     import shapely
 
 __all__ = [
-    "unmatched_hole_track",
+    "holes_in_turn",
     "loose_holes",
     "matched_hole_pairs",
     "matched_hole_track",
-    "holes_in_turn",
+    "unmatched_hole_track",
 ]
 
 #: Greatest distance of two holes that become each other, as a share of the drawing, and factor

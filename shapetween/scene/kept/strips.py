@@ -9,7 +9,7 @@ from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
-from shapetween.scene.kept.wipes import OfRings, unit_circle
+from shapetween.scene.kept.appearing import OfRings, unit_circle
 
 __all__ = ["Strip", "Tip", "Under"]
 
@@ -179,7 +179,7 @@ class Under(OfRings):
 
     Notes
     -----
-    A bar is convex, so that nothing sticks out of it on the way. Were they wiped as it is drawn,
+    A bar is convex, so that nothing sticks out of it on the way. Were they clipped as it is drawn,
     each would take moments of its own, for nothing that is seen.
     """
 

@@ -1,4 +1,4 @@
-"""Tracks of what comes and goes beside what stands still: wiped by a line, or slid into it."""
+"""Tracks of what appears beside what stands still: clipped by a moving line, or slid into it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,11 +17,11 @@ from shapetween.scene.presence import smooth_step
 
 __all__ = [
     "Against",
+    "HalfPlaneClip",
     "InTurn",
     "OfRings",
     "Slot",
     "Telescoped",
-    "Wiped",
     "extent_along",
     "unit_circle",
 ]
@@ -58,13 +58,13 @@ class OfRings(Leaf):
 
 
 @dataclass(frozen=True, eq=False)
-class Wiped(Leaf):
+class HalfPlaneClip(Leaf):
     """Rings of which only what lies on one side of a moving straight line is left.
 
     Attributes
     ----------
     rings : tuple of Outline
-        Closed, as they are where nothing is wiped.
+        Closed, as they are where nothing is clipped.
     ahead : (2,) float64
         Direction in which the line moves, of length 1, square to it.
     ends : (float, float)
@@ -136,7 +136,7 @@ class Wiped(Leaf):
         first = np.where(rising[..., None, None], along, drawn)
         second = np.where(rising[..., None, None], drawn, along)
         result = np.stack([first, second], axis=2).reshape(len(t), -1, 4, 2)
-        # What is wiped away is a point: renderers show a line that encloses nothing as a hair.
+        # What is clipped away is a point: renderers show a line that encloses nothing as a hair.
         ends = curves[:, [0, 3]].reshape(-1, 2)
         last = ends[int(comparable(ends @ ahead).argmax())]
         result[line >= float((ends @ ahead).max())] = last
