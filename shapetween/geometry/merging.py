@@ -1,7 +1,7 @@
 """Neighbouring curves that are one curve at all times, written as one.
 
 A movement cuts its outlines at the joints of both ends and, where it bends, in between. Where it
-then moves all of a stretch alike, the pieces stay pieces of one cubic: each of them takes part of
+then moves all of an arc alike, the pieces stay pieces of one cubic: each of them takes part of
 its parameters, s and 1 - s, and de Casteljau's construction read backwards gives the whole
 ([Far02]_, section 4.6): P0 + (P1 - P0) / s and Q3 + (Q2 - Q3) / (1 - s), s from how far the handles
 on both sides of the joint reach.
@@ -17,7 +17,7 @@ from shapetween.geometry.bezier import bernstein, velocity_weights
 __all__ = ["merged_curves"]
 
 #: Shares of the distance allowed up to which neighbours become one, first the surest. With the last
-#: alone, two stretches that are nearly one at first take pieces from those that are one exactly.
+#: alone, two arcs that are nearly one at first take pieces from those that are one exactly.
 SHARES = (1 / 16, 1.0)
 
 #: Least share of the parameters that a piece may take. Handles grow by its inverse, and with less

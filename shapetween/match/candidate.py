@@ -85,7 +85,7 @@ def agrees(u: Floats, v: Floats, found: Correspondence) -> bool:
     knots = (u - u[0] + v - v[0]) / 2
     even = np.arange(PLACES) / PLACES
     a, b = np.interp(even, knots, u), np.interp(even, knots, v)
-    # Along the nearer outline: where a stretch of one comes from a point the other stands still.
+    # Along the nearer outline: where an arc of one comes from a point the other stands still.
     across, along = b - follow(found.u, found.v, a), a - follow(found.v, found.u, b)
     gaps = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
     return bool(gaps.mean() <= DISTINCT)

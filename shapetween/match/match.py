@@ -306,7 +306,7 @@ class _Comparison:
     def _refined(self, candidate: Candidate, rewards: Floats) -> Candidate:
         """The matching found again with more samples, near where it was.
 
-        Near along either outline: a tip beside its like may cross a stretch that the candidate
+        Near along either outline: a tip beside its like may cross an arc that the candidate
         passed in one step.
 
         Without pins, the first pass keeps one knot; the second is cut open half-way round, so that

@@ -50,7 +50,7 @@ def _splits(ends: tuple[int, int]) -> bool:
 def _furthest(
     curve: Floats, weight: Floats, first: Index, last: Index
 ) -> Iterator[tuple[float, int]]:
-    """How far the furthest sample of each of many stretches is from its chord, and which it is.
+    """How far the furthest sample of each of many spans is from its chord, and which it is.
 
     Parameters
     ----------
@@ -59,22 +59,22 @@ def _furthest(
     weight : (N,) float64
         How much each sample's distance counts.
     first, last : (S,) intp
-        Ends of the stretches, with at least one sample strictly between them.
+        Ends of the spans, with at least one sample strictly between them.
     """
     inside = last - first - 1
     begin = np.cumsum(inside) - inside
-    stretch = np.repeat(np.arange(len(first)), inside)
-    sample = np.arange(len(stretch)) + (first + 1 - begin)[stretch]
+    span = np.repeat(np.arange(len(first)), inside)
+    sample = np.arange(len(span)) + (first + 1 - begin)[span]
     start = curve.take(first, axis=1)
     along = curve.take(last, axis=1) - start
     size = (along**2).sum(axis=0)
-    offset = curve.take(sample, axis=1) - start.take(stretch, axis=1)
-    share = (offset * (along / np.where(size > 0, size, 1.0)).take(stretch, axis=1)).sum(axis=0)
-    offset -= np.minimum(np.maximum(share, 0.0), 1.0) * along.take(stretch, axis=1)
+    offset = curve.take(sample, axis=1) - start.take(span, axis=1)
+    share = (offset * (along / np.where(size > 0, size, 1.0)).take(span, axis=1)).sum(axis=0)
+    offset -= np.minimum(np.maximum(share, 0.0), 1.0) * along.take(span, axis=1)
     score = rounded(np.sqrt((offset**2).sum(axis=0)) * weight[sample])
     best = np.maximum.reduceat(score, begin)
-    reached = np.flatnonzero(score == best[stretch])
-    earliest = reached[np.searchsorted(stretch[reached], np.arange(len(first)))]
+    reached = np.flatnonzero(score == best[span])
+    earliest = reached[np.searchsorted(span[reached], np.arange(len(first)))]
     return zip(best.tolist(), sample[earliest].tolist(), strict=True)
 
 
@@ -102,7 +102,7 @@ def simplified(points: Points, corners: Mask, count: int, kept: Index | None = N
     chosen = [far_sample(points)] if kept is None else kept.tolist()
     if len(chosen) >= count:
         return np.array(chosen, dtype=np.intp)
-    # Gone round twice, so that every stretch is a slice.
+    # Gone round twice, so that every span is a slice.
     curve = np.tile(np.concatenate([points[0], points[1]], axis=-1).T, 2)
     bonus = np.tile(np.where(corners, CORNER_BONUS, 1.0), 2)
     ring = sorted(chosen)

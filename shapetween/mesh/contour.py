@@ -1,4 +1,4 @@
-"""Two matched contours: chords across them, and stretches of them cut off by a chord.
+"""Two matched contours: chords across them, and arcs of them cut off by a chord.
 
 Both contours have area 1 here, so lengths and areas are shares of a shape's size.
 """
@@ -212,7 +212,7 @@ def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
     """Length of chords between nodes i and j, both (K,), outside a polygon.
 
     What lies on a chord's line counts as being on its one side, so that a chord along a straight
-    stretch of the outline runs inside.
+    arc of the outline runs inside.
     """
     count, ends = len(ring), ring[nodes]
     x, y = ends[:, :1], ends[:, 1:]
@@ -247,7 +247,7 @@ def _outside(ring: Points, nodes: Index, i: Index, j: Index) -> Floats:
 
     hits = np.bincount(chord, minlength=len(i))
     nth = np.arange(len(chord)) - (np.cumsum(hits) - hits)[chord]
-    # From inside, the outer stretches are t1..t2, t3..t4, ..., the last one up to the end.
+    # From inside, the outer arcs are t1..t2, t3..t4, ..., the last one up to the end.
     outer = np.bincount(chord, np.where(nth % 2 == 0, -t, t), minlength=len(i)) + hits % 2
     share = np.where(_inward(ring, nodes, 0.0)[i, j], outer, 1 - outer)
     return np.asarray(share * np.sqrt(((ends[j] - ends[i]) ** 2).sum(-1)))

@@ -159,10 +159,10 @@ class MatchedOutlines:
         """About `count` even samples, and as many joints at most among them, the sharpest."""
         joints = self._joints[0]
         if len(joints) > count:
-            # Of every short stretch its sharpest joint, so that none of it goes unseen.
-            stretch = (joints * count).astype(np.intp)
-            order = np.lexsort((-self._sharpness, stretch))
-            joints = joints[np.sort(order[np.unique(stretch[order], return_index=True)[1]])]
+            # Of every short interval its sharpest joint, so that none of it goes unseen.
+            interval = (joints * count).astype(np.intp)
+            order = np.lexsort((-self._sharpness, interval))
+            joints = joints[np.sort(order[np.unique(interval[order], return_index=True)[1]])]
         even = np.arange(count) / count
         around = np.concatenate([joints[-1:] - 1, joints, joints[:1] + 1])
         after = np.searchsorted(around, even)

@@ -14,7 +14,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.assign import Roles
 from shapetween.scene.items import Item
-from shapetween.scene.kept.stretches import snapped
+from shapetween.scene.kept.shared_arcs import snapped
 from shapetween.scene.motion.bend_knots import along_knots
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces, Places, cut_alike, run_of
@@ -177,11 +177,11 @@ def _borders(
         if i >= j:
             continue
         back = places[j].outline.reversed()
-        stretches = snapped([places[i].outline], [back], reach).stretches
-        if len(stretches) == 1:
-            low, high = stretches[0].other
-            found[i, j] = stretches[0].own, (1.0 - high, 1.0 - low)
-        elif stretches:
+        arcs = snapped([places[i].outline], [back], reach).arcs
+        if len(arcs) == 1:
+            low, high = arcs[0].other
+            found[i, j] = arcs[0].own, (1.0 - high, 1.0 - low)
+        elif arcs:
             found[i, j] = (0.0, 0.0), (0.0, 0.0)
     return found
 

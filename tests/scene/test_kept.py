@@ -11,7 +11,7 @@ from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
 from shapetween.scene.kept.outlines import outline_tracks
-from shapetween.scene.kept.stretches import snapped
+from shapetween.scene.kept.shared_arcs import snapped
 from shapetween.scene.kept.strips import Strip, Tip
 from shapetween.svg.read.reader import read_svg
 from tests.drawings import ring, square
@@ -294,12 +294,12 @@ def test_what_slides_never_goes_below_its_foot() -> None:
     np.testing.assert_allclose(track.curves(T)[..., 1].min(axis=(1, 2)), 20 + 20 * T)
 
 
-def test_stretches_end_where_outlines_part() -> None:
+def test_shared_arcs_end_where_outlines_part() -> None:
     first = square(0, 0, 60)
     second = ring([(0, 0), (60, 0), (60, 20), (50, 30), (60, 40), (60, 60), (0, 60)])
     found = snapped([first], [second], 0.2)
-    (stretch,) = found.stretches
-    ends = stretch.pieces.target[[0, -1], [0, 3]]
+    (arc,) = found.arcs
+    ends = arc.pieces.target[[0, -1], [0, 3]]
     np.testing.assert_allclose(ends, [(60, 40), (60, 20)], atol=1e-6)
     assert found.shared[1][0] == pytest.approx(60 + 60 + 60 + 20 + 20, abs=1e-3)
 
@@ -310,10 +310,7 @@ def test_rings_that_divide_have_no_tracks_of_outlines() -> None:
         [square(0, 0, 25), ring([(35, 0), (60, 0), (60, 60), (35, 60)])],
     )
     found = snapped(first, second, 0.2)
-    assert (
-        outline_tracks(dict(enumerate(first)), dict(enumerate(second)), found.stretches, 0.2)
-        is None
-    )
+    assert outline_tracks(dict(enumerate(first)), dict(enumerate(second)), found.arcs, 0.2) is None
 
 
 def test_a_slot_opens_round_in_its_middle_and_is_drawn_to_both_ends() -> None:
@@ -361,7 +358,7 @@ def test_cutting_rings_alike_moves_nothing_wherever_they_start(start: int) -> No
         ring([(0, 0), (60, 0), (60, 20), (45, 30), (20, 60), (0, 60)]),
     ):
         found = snapped([first], [second], 0.2)
-        assert found.stretches
+        assert found.arcs
         assert found.first[0].area == pytest.approx(first.area, rel=1e-9)
         assert found.exact[0].area == pytest.approx(second.area, rel=1e-9)
         assert found.second[0].area == pytest.approx(second.area, rel=1e-9)

@@ -29,7 +29,7 @@ from shapetween.scene.kept.holes import (
     unmatched_hole_track,
 )
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
-from shapetween.scene.kept.stretches import Snapped, snapped
+from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
 if TYPE_CHECKING:
     pass

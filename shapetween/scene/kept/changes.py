@@ -123,7 +123,7 @@ def tracks_of_pieces(
     # A hole that opens to the outside is none by itself: outlines alone would leave it out.
     whole = len(openings) == lone
     if large and whole and not any(groups) and not all(_stands(piece, laid) for piece in rest):
-        outlines = outline_tracks(first, second, laid.snapped.stretches, reach)
+        outlines = outline_tracks(first, second, laid.snapped.arcs, reach)
         if outlines is not None:
             return (*outlines, *openings)
     if min(areas) > MOVED * laid.kept.area or len(rest) > MOST_PIECES or _edges_move(rest, reach):

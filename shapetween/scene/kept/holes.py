@@ -14,7 +14,7 @@ from shapetween.scene.forms import form_of
 from shapetween.scene.items import Item
 from shapetween.scene.kept.appearing import Against, Slot
 from shapetween.scene.kept.bars import bar_of
-from shapetween.scene.kept.stretches import Snapped
+from shapetween.scene.kept.shared_arcs import Snapped
 from shapetween.scene.motion.choose import Ends, open_track
 from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_of, way_between
 from shapetween.scene.motion.holes import Opening, matched_holes
@@ -66,7 +66,7 @@ def matched_hole_pairs(
     Parameters
     ----------
     first, second : sequence of Outline
-        Holes that have no stretch in common with the other drawing.
+        Holes that have no arc in common with the other drawing.
     solid : (shapely geometry, shapely geometry)
         Both areas with these holes filled.
     scale : float
@@ -123,9 +123,9 @@ def loose_holes(
         for shared, lengths in zip(found.shared, found.lengths, strict=True)
     ]
     bound = [own.copy() for own in mostly]
-    for stretch in found.stretches:
+    for arc in found.arcs:
         for side in (0, 1):
-            bound[side][stretch.rings[side]] |= mostly[1 - side][stretch.rings[1 - side]]
+            bound[side][arc.rings[side]] |= mostly[1 - side][arc.rings[1 - side]]
     first = 0
     loose: tuple[list[int], list[int]] = ([], [])
     for side, own in enumerate(counts):

@@ -8,7 +8,7 @@ from shapetween.base.arrays import Curves, Floats
 from shapetween.deform.check import crossing_frames
 from shapetween.model.outline import Outline
 from shapetween.scene.forms import is_straight
-from shapetween.scene.kept.stretches import Stretch
+from shapetween.scene.kept.shared_arcs import SharedArc
 from shapetween.scene.motion.bend_knots import along_knots
 from shapetween.scene.motion.knots import graph_knots
 from shapetween.scene.motion.tracks import Blend
@@ -23,7 +23,7 @@ LOOKED = np.linspace(0.0, 1.0, 9)[1:-1]
 def outline_tracks(
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
-    stretches: Sequence[Stretch],
+    arcs: Sequence[SharedArc],
     reach: float,
 ) -> list[Blend] | None:
     """Tracks of all rings, each of which becomes one ring of the other area.
@@ -32,7 +32,7 @@ def outline_tracks(
     ----------
     first, second : mapping of int to Outline
         Rings of both areas, as they are drawn, by their numbers.
-    stretches : sequence of Stretch
+    arcs : sequence of SharedArc
         What they have in common.
     reach : float
         Distance within which outlines are one.
@@ -40,18 +40,18 @@ def outline_tracks(
     Returns
     -------
     list of Blend or None
-        None if rings divide or join, their stretches follow in another order, or a ring would cross
+        None if rings divide or join, their arcs follow in another order, or a ring would cross
         itself or another one on its way.
     """
-    stretches = [s for s in stretches if s.rings[0] in first and s.rings[1] in second]
-    partner = {stretch.rings for stretch in stretches}
+    arcs = [s for s in arcs if s.rings[0] in first and s.rings[1] in second]
+    partner = {arc.rings for arc in arcs}
     if not len(partner) == len(first) == len(second):
         return None
     if any(len({pair[side] for pair in partner}) != len(partner) for side in (0, 1)):
         return None
     tracks = []
     for i, j in sorted(partner):
-        own = sorted((s for s in stretches if s.rings == (i, j)), key=lambda s: s.own[0] % 1.0)
+        own = sorted((s for s in arcs if s.rings == (i, j)), key=lambda s: s.own[0] % 1.0)
         starts = np.array([s.other[0] % 1.0 for s in own])
         if np.count_nonzero(np.diff(np.append(starts, starts[0])) < 0) > 1:
             return None
@@ -63,18 +63,18 @@ def outline_tracks(
     return tracks
 
 
-def _ring_track(source: Places, target: Places, own: Sequence[Stretch], reach: float) -> Blend:
+def _ring_track(source: Places, target: Places, own: Sequence[SharedArc], reach: float) -> Blend:
     first: list[Curves] = []
     second: list[Curves] = []
-    for k, stretch in enumerate(own):
+    for k, arc in enumerate(own):
         following = own[(k + 1) % len(own)]
-        first.append(stretch.pieces.source)
-        second.append(stretch.pieces.target)
+        first.append(arc.pieces.source)
+        second.append(arc.pieces.target)
         runs = [
             _between(places, end, start)
             for places, end, start in (
-                (source, stretch.own[1], following.own[0]),
-                (target, stretch.other[1], following.other[0]),
+                (source, arc.own[1], following.own[0]),
+                (target, arc.other[1], following.other[0]),
             )
         ]
         one, other = _alike(runs[0], runs[1], first[-1], second[-1], reach)
@@ -88,7 +88,7 @@ def _ring_track(source: Places, target: Places, own: Sequence[Stretch], reach: f
 
 
 def _between(places: Places, end: float, start: float) -> Outline | None:
-    """A ring's run from the end of a stretch to the start of the next one; None if they meet."""
+    """A ring's run from the end of an arc to the start of the next one; None if they meet."""
     way = (start - end) % 1.0
     if min(way, 1.0 - way) < 1e-7:
         return None

@@ -13,7 +13,7 @@ from shapetween.boolean.trace import traced
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
-from shapetween.scene.kept.stretches import Snapped
+from shapetween.scene.kept.shared_arcs import Snapped
 
 if TYPE_CHECKING:
     import shapely

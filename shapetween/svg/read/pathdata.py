@@ -220,8 +220,8 @@ def _place(text: str, position: int, wanted: str) -> str:
 
 def _subpath(start: _Point, runs: list[_Run], closed: bool) -> Subpath:
     pieces, current = [np.zeros((0, 4, 2))], start
-    for quadratic, stretch in groupby(runs, lambda run: run.letter in "QT"):
-        curves = (_quadratic_curves if quadratic else _plain_curves)(current, list(stretch))
+    for quadratic, like in groupby(runs, lambda run: run.letter in "QT"):
+        curves = (_quadratic_curves if quadratic else _plain_curves)(current, list(like))
         if len(curves):
             pieces.append(curves)
             current = float(curves[-1, 3, 0]), float(curves[-1, 3, 1])

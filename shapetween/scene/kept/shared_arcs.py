@@ -1,4 +1,4 @@
-"""Stretches that the outlines of two areas have in common, drawn of the very same curves."""
+"""Arcs that the outlines of two areas have in common, drawn of the very same curves."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,27 +9,27 @@ from shapetween.base.arrays import Curves, Floats, Index, Mask
 from shapetween.model.outline import Outline
 from shapetween.scene.places import Pieces, Places, cut_alike, run_of
 
-__all__ = ["Snapped", "Stretch", "snapped"]
+__all__ = ["SharedArc", "Snapped", "snapped"]
 
 #: Even samples of an outline that are looked for on the other area's, besides its joints. Fewer
-#: miss short stretches; more cost time with the other outline's length.
+#: miss short arcs; more cost time with the other outline's length.
 SAMPLED = 200
 
-#: Least length of a stretch, as a multiple of the distance within which outlines are one. Where
+#: Least length of an arc, as a multiple of the distance within which outlines are one. Where
 #: outlines only cross they are that near for a little way too.
 SHORTEST = 6.0
 
-#: Distance along an outline, as a multiple of the same, within which a stretch ends at a joint.
+#: Distance along an outline, as a multiple of the same, within which an arc ends at a joint.
 #: Smaller, and outlines that part at an angle of 20 degrees are cut behind the corner.
 AT_JOINT = 3.0
 
 #: By how much the lengths of two outlines between samples may differ, as a share, and still be one.
-STRETCHED = 0.35
+UNEVEN = 0.35
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stretch:
-    """One stretch that two rings have in common.
+class SharedArc:
+    """One arc that two rings have in common.
 
     Attributes
     ----------
@@ -49,21 +49,21 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Snapped:
-    """Two areas' rings whose common stretches are of the same curves.
+    """Two areas' rings whose common arcs are of the same curves.
 
     Attributes
     ----------
     first : tuple of Outline
-        The first area's rings, cut where stretches begin and end.
+        The first area's rings, cut where arcs begin and end.
     second : tuple of Outline
-        The second area's, of the first one's curves along the stretches.
+        The second area's, of the first one's curves along the arcs.
     exact : tuple of Outline
         The second area's as they are drawn, curve by curve as `second`.
     shared : ((N,) float64, (M,) float64)
-        Length of the stretches on each ring of either area.
+        Length of the arcs on each ring of either area.
     lengths : ((N,) float64, (M,) float64)
         Of the rings.
-    stretches : tuple of Stretch
+    arcs : tuple of SharedArc
     """
 
     first: tuple[Outline, ...]
@@ -71,7 +71,7 @@ class Snapped:
     exact: tuple[Outline, ...]
     shared: tuple[Floats, Floats]
     lengths: tuple[Floats, Floats]
-    stretches: tuple[Stretch, ...]
+    arcs: tuple[SharedArc, ...]
 
 
 def snapped(first: Sequence[Outline], second: Sequence[Outline], reach: float) -> Snapped:
@@ -86,14 +86,14 @@ def snapped(first: Sequence[Outline], second: Sequence[Outline], reach: float) -
     """
     own = [Places(ring) for ring in first]
     others = [Places(ring) for ring in second]
-    found = [_stretches(k, places, own, reach) for k, places in enumerate(others)]
+    found = [_arcs_of(k, places, own, reach) for k, places in enumerate(others)]
     found = _apart(found)
     shared = np.zeros(len(own)), np.zeros(len(others))
     for k, row in enumerate(found):
-        for stretch in row:
-            low, high = stretch.own
-            shared[0][stretch.rings[0]] += (high - low) * own[stretch.rings[0]].length
-            low, high = stretch.other
+        for arc in row:
+            low, high = arc.own
+            shared[0][arc.rings[0]] += (high - low) * own[arc.rings[0]].length
+            low, high = arc.other
             shared[1][k] += (high - low) * others[k].length
     rings = [
         _assembled(
@@ -114,11 +114,11 @@ def snapped(first: Sequence[Outline], second: Sequence[Outline], reach: float) -
         tuple(other for _, other in drawn),
         shared,
         (np.array([p.length for p in own]), np.array([p.length for p in others])),
-        tuple(stretch for row in found for stretch in row),
+        tuple(arc for row in found for arc in row),
     )
 
 
-def _stretches(which: int, places: Places, own: Sequence[Places], reach: float) -> list[Stretch]:
+def _arcs_of(which: int, places: Places, own: Sequence[Places], reach: float) -> list[SharedArc]:
     """Where a ring of the second area runs along the first area's rings."""
     shares = [np.arange(SAMPLED) / SAMPLED, places.joints[:-1]]
     for other in own:
@@ -141,9 +141,9 @@ def _stretches(which: int, places: Places, own: Sequence[Places], reach: float) 
     found = []
     looked = _Run(-1, at[ring, index], every, joint, away[ring, index])
     for run in _runs(places, own, looked, ring, near, reach):
-        stretch = _stretch(which, places, own, run, reach)
-        if stretch is not None:
-            found.append(stretch)
+        arc = _arc_of(which, places, own, run, reach)
+        if arc is not None:
+            found.append(arc)
     return found
 
 
@@ -202,7 +202,7 @@ def _runs(
     step = (at[after] - at + 0.5) % 1.0 - 0.5
     way, own_way = ahead * places.length, step * lengths[ring]
     goes_on = near & near[after] & (ring == ring[after]) & (own_way > -reach / 4)
-    goes_on &= np.abs(way - own_way) <= STRETCHED * np.maximum(way, own_way) + reach / 2
+    goes_on &= np.abs(way - own_way) <= UNEVEN * np.maximum(way, own_way) + reach / 2
     whole = bool(goes_on.all())
     breaks = np.array([count - 1]) if whole else np.flatnonzero(~goes_on)
     found = []
@@ -227,9 +227,9 @@ def _runs(
     return found
 
 
-def _stretch(
+def _arc_of(
     which: int, places: Places, own: Sequence[Places], run: _Run, reach: float
-) -> Stretch | None:
+) -> SharedArc | None:
     """A run as curves cut alike; None of one that is too short."""
     there = own[run.ring]
     whole = run.other[-1] - run.other[0] >= 1.0 - 1e-9
@@ -247,7 +247,7 @@ def _stretch(
     v = (run.other - start) / (end - start)
     knots = _joints_alike(inner[0].joints[1:-1], inner[1].joints[1:-1], u, v, reach / length)
     pieces = cut_alike(inner[0], inner[1], *knots)
-    return Stretch((run.ring, which), (low, high), (start, end), pieces)
+    return SharedArc((run.ring, which), (low, high), (start, end), pieces)
 
 
 def _joints_alike(
@@ -291,10 +291,10 @@ def _at_joint(share: float, places: Places, reach: float) -> float:
     return float(places.joints[best] + turn) if away[best] * places.length <= reach else share
 
 
-def _apart(found: list[list[Stretch]]) -> list[list[Stretch]]:
-    """Stretches of which no two are on one place of the first area's rings, the longest first."""
-    rows: list[list[Stretch]] = [[] for _ in found]
-    taken: list[Stretch] = []
+def _apart(found: list[list[SharedArc]]) -> list[list[SharedArc]]:
+    """Arcs of which no two are on one place of the first area's rings, the longest first."""
+    rows: list[list[SharedArc]] = [[] for _ in found]
+    taken: list[SharedArc] = []
     order = sorted(
         (
             (round(s.own[0] - s.own[1], 6), k, n)
@@ -303,19 +303,18 @@ def _apart(found: list[list[Stretch]]) -> list[list[Stretch]]:
         )
     )
     for _, k, n in order:
-        stretch = found[k][n]
+        arc = found[k][n]
         clear = all(
-            other.rings[0] != stretch.rings[0]
+            other.rings[0] != arc.rings[0]
             or all(
-                min(stretch.own[1], other.own[1] + turn) - max(stretch.own[0], other.own[0] + turn)
-                < 1e-6
+                min(arc.own[1], other.own[1] + turn) - max(arc.own[0], other.own[0] + turn) < 1e-6
                 for turn in (-2.0, -1.0, 0.0, 1.0, 2.0)
             )
             for other in taken
         )
         if clear:
-            taken.append(stretch)
-            rows[k].append(stretch)
+            taken.append(arc)
+            rows[k].append(arc)
     return rows
 
 
