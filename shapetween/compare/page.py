@@ -187,7 +187,7 @@ def _table(variants: Sequence[Variant], figures: Mapping[str, Figures]) -> str:
     meanings = "".join(f"<dt>{escape(c.title)}</dt><dd>{escape(c.meaning)}</dd>" for c in COLUMNS)
     return (
         "<section>\n<h2>Figures</h2>\n<p>Less is better, and the best are marked. Travel and "
-        "unevenness say how calm a movement is, which straight lines always win.</p>\n"
+        "unevenness say how smooth a movement is, which straight lines always win.</p>\n"
         f'<div class="scroll" tabindex="0" role="region" aria-label="Figures">\n<table>\n'
         f'<thead><tr><th scope="col">Method</th>{heads}</tr></thead>\n'
         f"<tbody>\n{''.join(rows)}</tbody>\n</table>\n</div>\n"

@@ -22,13 +22,13 @@ from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
-from shapetween.scene.motion.calm import calm_of
 from shapetween.scene.motion.holes import hole_tracks
 from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
 from shapetween.scene.motion.tracks import Blend
+from shapetween.scene.motion.turning import turning_excess
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.torn import folds
 
@@ -172,16 +172,16 @@ def _closed(
     simple = (corners.track, *hole_tracks(first, second, corners.track))
     if not (ends.root and min(first.extent, second.extent) > LARGE * ends.scale):
         return simple, ()
-    calm = calm_of(corners.track)
-    agreed = calm.plain and _as_matched(corners, first, second, upright=True)
-    if agreed and (calm.still or _blobs(first, second)):
+    turning = turning_excess(corners.track)
+    agreed = turning.simple and _as_matched(corners, first, second, upright=True)
+    if agreed and (turning.smooth or _blobs(first, second)):
         return simple, ()
     try:
         by_engine, said = elastic(ends, settings, names)
     except OutlineError as error:
         name = first.name or second.name
         return simple, (Notice("by-corners", str(error), name, "it moves by its corners"),)
-    if agreed and calm_of(by_engine[0]).waves > calm.waves:
+    if agreed and turning_excess(by_engine[0]).excess > turning.excess:
         return simple, ()
     return by_engine, said
 
@@ -220,11 +220,11 @@ def corners_suffice(first: Item, second: Item) -> bool:
     if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
     corners = _by_corners(first, second)
-    calm = calm_of(corners.track)
+    turning = turning_excess(corners.track)
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     # What is even stays so by its corners, whatever waves it throws and wherever they go.
-    even = calm.plain and any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
-    if not (even or calm.still or _blobs(first, second)):
+    even = turning.simple and any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
+    if not (even or turning.smooth or _blobs(first, second)):
         return False
     return _as_matched(corners, first, second, anywhere=even)
 

@@ -15,7 +15,7 @@ from shapetween.fill.splitting import split_alike
 from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
-from shapetween.scene.motion.calm import turning_of
+from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import in_common, pictures
 from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
 
@@ -172,7 +172,7 @@ def _is_stroke(hole: Item) -> bool:
 
 
 def _turning(hole: Item) -> float:
-    return round(turning_of(hole.outer.curves), 6)
+    return round(total_turning(hole.outer.curves), 6)
 
 
 def _mates(holes: Sequence[Item]) -> Mask:

@@ -1,4 +1,4 @@
-"""How calmly an outline goes from one form to another: what its in-between forms add to both."""
+"""Total turning of an outline, and what its in-between forms turn beyond both ends."""
 
 from dataclasses import dataclass
 
@@ -9,16 +9,16 @@ from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.part import CurveTrack
 
-__all__ = ["Calm", "calm_of", "turning_of"]
+__all__ = ["TurningExcess", "total_turning", "turning_excess"]
 
 #: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
 #: limbs, which swing: that is the outline engine's.
 MOST_TURNS = 4.3
 
-#: Turning, in whole turns, that in-between forms may have beyond both ends and be calm: half a
-#: corner. More, and waves that neither end has are let pass; less, and a corner that is born from
-#: a round run is held to be one.
-CALM = 0.12
+#: Turning, in whole turns, that in-between forms may have beyond both ends and still be smooth:
+#: half a corner. More, and waves that neither end has are let pass; less, and a corner that is
+#: born from a round run is held to be one.
+MOST_EXCESS = 0.12
 
 #: Times at which turning is looked at, the ends first and last.
 TURNING = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
@@ -29,45 +29,45 @@ STEPS = 256
 
 
 @dataclass(frozen=True, slots=True)
-class Calm:
+class TurningExcess:
     """What was seen of an outer ring on its way.
 
     Attributes
     ----------
     turns : float
         By how much the ends turn in all, in whole turns; that of the one which turns more.
-    waves : float
+    excess : float
         By how much in-between forms turn beyond that; negative if they turn less.
     crossing : bool
         Whether it crosses itself.
     """
 
     turns: float
-    waves: float
+    excess: float
     crossing: bool
 
     @property
-    def plain(self) -> bool:
+    def simple(self) -> bool:
         """Whether the ends are simple enough for their corners to say how they move."""
         return self.turns <= MOST_TURNS and not self.crossing
 
     @property
-    def still(self) -> bool:
+    def smooth(self) -> bool:
         """Whether nothing is to be seen on the way that is in neither end."""
-        return self.plain and self.waves <= CALM
+        return self.simple and self.excess <= MOST_EXCESS
 
 
-def calm_of(track: CurveTrack) -> Calm:
-    """How calmly a track's outer ring goes."""
+def turning_excess(track: CurveTrack) -> TurningExcess:
+    """How a track's outer ring turns on its way."""
     count = track.counts[0]
     curves = track.curves(TURNING)[:, :count]
-    turns = np.round([turning_of(ring) for ring in curves], 6)
+    turns = np.round([total_turning(ring) for ring in curves], 6)
     ends = float(max(turns[0], turns[-1]))
     crossing = crossing_frames(track.curves(LOOKED)[:, :count], [count], [True]).any()
-    return Calm(ends, float(turns[1:-1].max()) - ends, bool(crossing))
+    return TurningExcess(ends, float(turns[1:-1].max()) - ends, bool(crossing))
 
 
-def turning_of(ring: Curves) -> float:
+def total_turning(ring: Curves) -> float:
     """All turning of a closed ring (P, 4, 2), either way, in whole turns."""
     points = evaluate(ring, np.arange(8) / 8).reshape(-1, 2)
     points = np.concatenate([points, points[:1]])
