@@ -210,8 +210,8 @@ def prepare(
     free = chosen.pairing != "loose" and not (groups or len(pins) or meshed or chosen.change)
     free = free and chosen.matching == 1
     asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins, exchange=free)
-    parts, areas, said, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
-    notices += said
+    parts, areas, moved, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
+    notices += moved
     settings.check_used()
     if scene is None and chosen.folds == "prevent" and chosen.effort == "full":
         with observe("move"):
@@ -236,7 +236,7 @@ def _moved(
 ) -> _Moved:
     """A single area that becomes another by the outline engine, or else a scene."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
-    (one, said), (other, more) = found
+    (one, notices), (other, more) = found
     one, other = joined_lines(one), joined_lines(other)
     free = all(group[0] and group[1] for group in asked.groups)
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
@@ -246,28 +246,28 @@ def _moved(
         if kept.areas:
             one, other = as_lines(kept.first, kept.second)
             scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)
-            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
         apart = with_limbs(one, other)
         if apart is not None:
             one, other = as_lines(*apart)
             scene = move_scene(one, other, boxes, asked, settings, names)
-            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
     lines = _lined(one, other, boxes)
     if asked.exchange and len(one) == len(other) == 1:
         if _pierced_apart(one[0], other[0], lines, settings):
             scene = move_scene(one, other, boxes, asked, settings, names)
-            return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
         asked = replace(asked, exchange=len(lines[0]) + len(lines[1]) > 2)
     if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
         one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
-        track, told = morph_fill(areas[0], areas[1], settings, names, alone=True)
+        track, moved = morph_fill(areas[0], areas[1], settings, names, alone=True)
         styles = areas[0].style, areas[1].style
         motion = track.whole_motion() if any(map(has_gradient, styles)) else None
-        return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), told, None
+        return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), moved, None
     scene = move_scene(one, other, boxes, asked, settings, names)
-    return scene.parts, scene.areas, (*said, *more, *scene.notices), scene
+    return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
 
 
 def _pierced_apart(

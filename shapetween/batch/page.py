@@ -49,8 +49,8 @@ def _sort(entry: Entry) -> str:
     if entry["status"] != "done":
         return "failed"
     rings = entry["report"].get("rings", [])
-    told = {ring["matching"]["confidence"] for ring in rings}
-    return next((name for name in CONFIDENCES if name in told), "")
+    found = {ring["matching"]["confidence"] for ring in rings}
+    return next((name for name in CONFIDENCES if name in found), "")
 
 
 def _card(entry: Entry) -> str:
@@ -60,22 +60,22 @@ def _card(entry: Entry) -> str:
         error = escape(str(entry["error"]))
         return (
             f'<article class="failed"><div class="picture">{error}</div>\n'
-            f'<h2>{name}</h2><p class="told"><b>Failed</b></p></article>\n'
+            f'<h2>{name}</h2><p class="note"><b>Failed</b></p></article>\n'
         )
     link = quote(str(entry["out"]))
     warnings = entry["report"].get("warnings", [])
     lines = "".join(f"<li>{escape(' '.join(line.split()))}</li>" for line in warnings)
-    told = f"<b>{sort.capitalize()}</b>" if sort else ""
+    label = f"<b>{sort.capitalize()}</b>" if sort else ""
     many = "1 warning" if len(warnings) == 1 else f"{len(warnings)} warnings"
     more = (
-        f'<details class="told"><summary>{many}</summary><ul>{lines}</ul></details>'
+        f'<details class="note"><summary>{many}</summary><ul>{lines}</ul></details>'
         if lines
         else ""
     )
     return (
         f'<article class="{sort}"><button type="button" class="picture">'
         f'<img data-src="{link}" alt="{name}"></button>\n'
-        f'<h2><a href="{link}">{name}</a></h2><p class="told">{told}</p>{more}</article>\n'
+        f'<h2><a href="{link}">{name}</a></h2><p class="note">{label}</p>{more}</article>\n'
     )
 
 

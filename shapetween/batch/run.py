@@ -57,7 +57,7 @@ def run_batch(
     resume: bool = False,
     times: bool = False,
     page: bool = False,
-    tell: Callable[[Outcome], None] = lambda outcome: None,
+    report: Callable[[Outcome], None] = lambda outcome: None,
 ) -> list[Outcome]:
     """Do all jobs, and write a summary of them.
 
@@ -81,8 +81,8 @@ def run_batch(
         Put seconds into the summary, which then differs from run to run.
     page : bool
         Write ``index.html`` too, which shows all pairs.
-    tell : callable, optional
-        Told of every outcome as it comes.
+    report : callable, optional
+        Called with every outcome as it comes.
 
     Returns
     -------
@@ -104,7 +104,7 @@ def run_batch(
     for job in listed:
         if done and (entry := done.get(_digest(job))) is not None:
             outcomes[job.out] = Outcome(job, entry, kept=True)
-            tell(outcomes[job.out])
+            report(outcomes[job.out])
         else:
             left.append(job)
     run = _Run(folder, times)
@@ -117,7 +117,7 @@ def run_batch(
         for outcome in found:
             outcomes[outcome.job.out] = outcome
             ledger.add(outcome.entry)
-            tell(outcome)
+            report(outcome)
     ordered = [outcomes[job.out] for job in listed]
     ledger.end(outcome.entry for outcome in ordered)
     return ordered

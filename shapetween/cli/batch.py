@@ -13,9 +13,9 @@ import click
 
 from shapetween.base.errors import OptionError
 from shapetween.cli.legs import MOST_MATCHINGS, OfLeg
+from shapetween.cli.messages import wrote
 from shapetween.cli.options import QUIET
 from shapetween.cli.pair import morph
-from shapetween.cli.told import wrote
 from shapetween.cli.values import PATH, Whole
 from shapetween.timing import defaults
 
@@ -151,7 +151,7 @@ def batch(
             ) as bar,
         ):
 
-            def tell(outcome: Outcome) -> None:
+            def report(outcome: Outcome) -> None:
                 nonlocal done, failed
                 done += 1
                 if outcome.error:
@@ -167,7 +167,7 @@ def batch(
                 resume=resume,
                 times=times,
                 page=page,
-                tell=tell,
+                report=report,
             )
     except KeyboardInterrupt:
         click.echo(f"shapetween: {done} of {len(jobs)} pairs done; --resume goes on", err=True)

@@ -5,8 +5,8 @@ from pathlib import Path
 import click
 
 from shapetween.base.errors import OptionError
+from shapetween.cli.messages import wrote
 from shapetween.cli.options import QUIET
-from shapetween.cli.told import wrote
 from shapetween.cli.values import PATH
 from shapetween.io.progress import Progress
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from shapetween.base.errors import OptionError
+from shapetween.cli.messages import warn, wrote
 from shapetween.cli.options import (
     QUIET,
     A,
@@ -18,7 +19,6 @@ from shapetween.cli.options import (
     out_option,
     report_option,
 )
-from shapetween.cli.told import warn, wrote
 from shapetween.cli.values import PATH, Real, Size, Whole
 from shapetween.io.progress import Progress
 from shapetween.timing.defaults import DURATION, FPS, MOST_FRAMES

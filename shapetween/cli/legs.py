@@ -31,21 +31,21 @@ class _OfLegType(click.ParamType[Any]):
         counted = bool(slash) and leg.isascii() and leg.isdecimal()
         found = self.read(rest if counted else str(value))
         if found is None or (counted and int(leg) < 1):
-            self.fail(f"{value!r} is not {self.told}")
+            self.fail(f"{value!r} is not {self.expected}")
         return OfLeg(int(leg) if counted else None, found)
 
     def read(self, text: str) -> Any:
         """The value; None if it is none."""
         raise NotImplementedError
 
-    told = ""
+    expected = ""
 
 
 class Pin(_OfLegType):
     """``AX,AY:BX,BY``, a point of A and the point of B that it becomes."""
 
     name = "[LEG/]AX,AY:BX,BY"
-    told = "AX,AY:BX,BY, such as 12,30.5:14,28, nor LEG/AX,AY:BX,BY"
+    expected = "AX,AY:BX,BY, such as 12,30.5:14,28, nor LEG/AX,AY:BX,BY"
 
     def read(self, text: str) -> tuple[float, float, float, float] | None:
         """The four numbers."""
@@ -60,7 +60,7 @@ class Match(_OfLegType):
     """``IDA:IDB``: a shape of A and the shape of B that it becomes, several, or none."""
 
     name = "[LEG/]IDA:IDB"
-    told = "IDA:IDB, such as tail:tail-fin, nor LEG/IDA:IDB"
+    expected = "IDA:IDB, such as tail:tail-fin, nor LEG/IDA:IDB"
 
     def read(self, text: str) -> tuple[str, str] | None:
         """Both sides of the colon."""
@@ -72,7 +72,7 @@ class Matching(_OfLegType):
     """``K``: which of the distinct matchings."""
 
     name = "[LEG/]K"
-    told = f"a number from 1 to {MOST_MATCHINGS}, nor LEG/K"
+    expected = f"a number from 1 to {MOST_MATCHINGS}, nor LEG/K"
 
     def read(self, text: str) -> int | None:
         """The number."""
@@ -101,7 +101,7 @@ def by_leg(flag: str, given: Iterable[OfLeg], count: int) -> dict[int, list[Any]
         if leg is None and count > 1:
             raise OptionError(
                 f"{flag}: of which of the {count} legs? Expected it before, such as {flag} "
-                f"1/{_told(value)}"
+                f"1/{_shown(value)}"
             )
         if (leg or 1) > count:
             legs = "is but one leg" if count == 1 else f"are {count} legs"
@@ -110,7 +110,7 @@ def by_leg(flag: str, given: Iterable[OfLeg], count: int) -> dict[int, list[Any]
     return found
 
 
-def _told(value: Any) -> str:
+def _shown(value: Any) -> str:
     """A value as it was written."""
     if not isinstance(value, tuple):
         return str(value)

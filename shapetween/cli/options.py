@@ -12,7 +12,7 @@ import click
 
 from shapetween.base.errors import MeshError, OptionError
 from shapetween.cli.legs import Match, Matching, OfLeg, Pin, by_leg
-from shapetween.cli.told import warn, wrote
+from shapetween.cli.messages import warn, wrote
 from shapetween.cli.values import PATH, Name, Real, Whole
 from shapetween.io.progress import Progress
 from shapetween.timing import defaults
@@ -48,12 +48,12 @@ B = click.argument("b", type=PATH)
 QUIET = click.option("-q", "--quiet", is_flag=True, help="Say nothing but errors.")
 
 
-def out_option(metavar: str, told: str) -> Option:
+def out_option(metavar: str, text: str) -> Option:
     """Where to write, for a command that has a name of its own to propose."""
-    return click.option("-o", "--out", type=PATH, metavar=metavar, help=told)
+    return click.option("-o", "--out", type=PATH, metavar=metavar, help=text)
 
 
-def duration_option(told: str) -> Option:
+def duration_option(text: str) -> Option:
     """Seconds, 2 if left out."""
     return click.option(
         "--duration",
@@ -61,7 +61,7 @@ def duration_option(told: str) -> Option:
         default=defaults.DURATION,
         show_default=True,
         metavar="SECONDS",
-        help=told,
+        help=text,
     )
 
 
@@ -77,27 +77,27 @@ def easing_option(default: str = defaults.EASING) -> Option:
     )
 
 
-def loop_option(told: str) -> Option:
+def loop_option(text: str) -> Option:
     """What comes after the end."""
     return click.option(
         "--loop",
         type=Name("once", "repeat", "alternate"),
         default="once",
         show_default=True,
-        help=told,
+        help=text,
     )
 
 
-def method_option(told: str) -> Option:
+def method_option(text: str) -> Option:
     """What moves faces and meshes."""
     return click.option(
-        "--method", type=Name(*METHOD_NAMES), default="projective", show_default=True, help=told
+        "--method", type=Name(*METHOD_NAMES), default="projective", show_default=True, help=text
     )
 
 
-def report_option(told: str) -> Option:
+def report_option(text: str) -> Option:
     """A file beside the output, for figures."""
-    return click.option("--report", type=PATH, metavar="FILE.json", help=told)
+    return click.option("--report", type=PATH, metavar="FILE.json", help=text)
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,11 +66,11 @@ def _read(ctx: click.Context, param: click.Parameter, path: Path | None) -> None
         places[name] = place
     a, b, *more = (places[name] for name in project.job.drawings)
     legs = project.job.legs
-    said: dict[str, Any] = {"a": a, "b": b, "more": tuple(more)}
+    values: dict[str, Any] = {"a": a, "b": b, "more": tuple(more)}
     for setting in SETTINGS:
         if setting.name in project.job.options:
             value = project.job.options[setting.name]
-            said.update({value: True} if value in setting.flags else {setting.name: value})
+            values.update({value: True} if value in setting.flags else {setting.name: value})
     several = len(legs) > 1
     known: dict[str, list[OfLeg]] = {"pins": [], "matches": [], "matchings": []}
     for k, leg in enumerate(legs, start=1):
@@ -78,5 +78,5 @@ def _read(ctx: click.Context, param: click.Parameter, path: Path | None) -> None
         known["pins"] += [OfLeg(at, pin) for pin in leg.pins]
         known["matches"] += [OfLeg(at, tuple(match.split(":", 1))) for match in leg.matches]
         known["matchings"] += [OfLeg(at, leg.matching)] if leg.matching != 1 else []
-    said |= {name: some for name, some in known.items() if some}
-    ctx.default_map = {**(ctx.default_map or {}), **said}
+    values |= {name: some for name, some in known.items() if some}
+    ctx.default_map = {**(ctx.default_map or {}), **values}

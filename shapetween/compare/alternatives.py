@@ -17,7 +17,7 @@ from shapetween.outline.body import RingMatch
 __all__ = ["Alternatives", "alternatives"]
 
 #: Angle, degrees, from which on a page says that a matching turns the first drawing.
-TOLD_TURN = 1.0
+SHOWN_TURN = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,15 +104,15 @@ def _only_ring(found: Morph) -> RingMatch | None:
 def _figure(number: int, shown: Morph, matching: Correspondence, duration: float) -> str:
     svg = shown.svg(duration=duration, loop="alternate", easing="ease-in-out")
     data = base64.b64encode(svg.encode("utf-8")).decode("ascii")
-    told = [f"cost {matching.cost:.2f}"]
+    captions = [f"cost {matching.cost:.2f}"]
     turn = float(np.degrees(matching.turn))
-    if abs(turn) >= TOLD_TURN:
-        told.append(f"turned by {turn:.0f}°")
+    if abs(turn) >= SHOWN_TURN:
+        captions.append(f"turned by {turn:.0f}°")
     crossing = sum(notice.kind == "crossing" for notice in shown.notices)
-    told += ["crosses itself"] * bool(crossing)
+    captions += ["crosses itself"] * bool(crossing)
     return (
         f'<figure><img src="data:image/svg+xml;base64,{data}" '
         f'alt="The movement by matching {number}">'
         f"<figcaption><code>--matching {number}</code>"
-        f"<span>{escape(', '.join(told))}</span></figcaption></figure>\n"
+        f"<span>{escape(', '.join(captions))}</span></figcaption></figure>\n"
     )

@@ -312,11 +312,11 @@ def _document(layers: Sequence[_Layer], grid: Grid) -> str:
     ]
     for layer in layers:
         attributes = [("name", layer.name), *layer.attributes]
-        told = " ".join(f'android:{name}="{escape(value)}"' for name, value in attributes)
+        written = " ".join(f'android:{name}="{escape(value)}"' for name, value in attributes)
         if not layer.shades:
-            lines.append(f"   <path {told}/>")
+            lines.append(f"   <path {written}/>")
             continue
-        lines.append(f"   <path {told}>")
+        lines.append(f"   <path {written}>")
         for name, shade in layer.shades:
             lines += [f'    <aapt:attr name="android:{name}">', *_gradient(shade, grid)]
             lines.append("    </aapt:attr>")
@@ -369,8 +369,8 @@ def _gradient(shade: Gradient, grid: Grid) -> Iterator[str]:
         radius = number(abs(a * d - b * c) ** 0.5 * r / grid.step, 1)
         numbers = zip(("centerX", "centerY", "gradientRadius"), (*centre, radius), strict=True)
     mode = {"pad": "clamp", "reflect": "mirror", "repeat": "repeat"}[shade.spread]
-    told = " ".join(f'android:{name}="{value}"' for name, value in numbers)
-    yield f'     <gradient android:type="{shade.kind}" android:tileMode="{mode}" {told}>'
+    geometry = " ".join(f'android:{name}="{value}"' for name, value in numbers)
+    yield f'     <gradient android:type="{shade.kind}" android:tileMode="{mode}" {geometry}>'
     for stop in shade.stops:
         alpha = f"{round(255 * stop.colour.alpha):02x}"
         colour = f"#{alpha}{_colour(stop.colour).removeprefix('#')}"

@@ -46,9 +46,9 @@ def extensions_folder() -> Path:
         except (OSError, subprocess.TimeoutExpired):
             done = None
         lines = done.stdout.split("\n") if done is not None and done.returncode == 0 else []
-        said = next((line.strip() for line in lines if line.strip()), "")
-        if said and Path(said).is_absolute():
-            return Path(said) / "extensions"
+        line = next((line.strip() for line in lines if line.strip()), "")
+        if line and Path(line).is_absolute():
+            return Path(line) / "extensions"
     if profile := os.environ.get("INKSCAPE_PROFILE_DIR"):
         return Path(profile) / "extensions"
     if sys.platform == "win32":

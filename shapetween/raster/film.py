@@ -114,8 +114,8 @@ class Film:
     def warnings(self) -> tuple[str, ...]:
         """What does not show as it may have been meant, one line each."""
         names = (name for fills in self.fills for fill in fills.values() for name in fill.empty)
-        told = "a pattern or picture in it shows nothing"
-        return tuple(f"{name}: {told}" for name in dict.fromkeys(names))
+        loss = "a pattern or picture in it shows nothing"
+        return tuple(f"{name}: {loss}" for name in dict.fromkeys(names))
 
     @property
     def count(self) -> int:

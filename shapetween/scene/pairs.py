@@ -84,8 +84,8 @@ def pair_tracks(
         second=_mirrored(ends.second, flips, places[1]),
     )
     image = replace(image, forms=(form_of(image.first), form_of(image.second)))
-    found, said = seamed_tracks(image, tracks) or tracks(image)
-    return tuple(Mirrored(track, flips, places) for track in found), said
+    found, notices = seamed_tracks(image, tracks) or tracks(image)
+    return tuple(Mirrored(track, flips, places) for track in found), notices
 
 
 def _pinned_areas(
@@ -96,13 +96,13 @@ def _pinned_areas(
     on = pinned_rings(ends.first.rings, ends.second.rings, pins)
     if on.outer or not on.holes:
         return elastic(ends, settings, names)
-    found, said = tracks_of(ends, settings, names)
+    found, notices = tracks_of(ends, settings, names)
     outer = found[0]
     if not isinstance(outer, Blend):
-        return found, said
+        return found, notices
     settings.claimed.pins.update(pinned[k] for k in on.rows)
     holes = {pair: pins[list(rows)] for pair, rows in on.holes.items()}
-    return (outer, *hole_tracks(ends.first, ends.second, outer, holes)), said
+    return (outer, *hole_tracks(ends.first, ends.second, outer, holes)), notices
 
 
 def main_pairs(a: Scene, b: Scene, roles: Roles) -> list[int]:

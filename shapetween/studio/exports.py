@@ -193,10 +193,10 @@ def _ran(words: list[str], folder: Path, names: Mapping[str, str]) -> tuple[str,
         )
     except subprocess.TimeoutExpired as error:
         raise ShapetweenError("the export took too long and was ended") from error
-    said = done.stderr
+    stderr = done.stderr
     for path, name in names.items():
-        said = said.replace(path, name)
-    lines = [line.removeprefix("shapetween: ") for line in said.splitlines() if line.strip()]
+        stderr = stderr.replace(path, name)
+    lines = [line.removeprefix("shapetween: ") for line in stderr.splitlines() if line.strip()]
     if done.returncode:
         last = lines[-1] if lines else "the command was cut off"
         raise ShapetweenError(last.removeprefix("error: "))

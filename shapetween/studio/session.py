@@ -74,7 +74,7 @@ class Session:
             "drawings": dict(self._views),
             "last": last,
             "settings": settings.as_json(),
-            "forms": {key: _told(form) for key, form in forms().items()},
+            "forms": {key: _described(form) for key, form in forms().items()},
         }
 
     def add(self, name: str, data: bytes) -> dict[str, Any]:
@@ -173,7 +173,7 @@ class Session:
         return {name: self._given.get(name, name) for name in job.drawings}
 
 
-def _told(form: Form) -> dict[str, Any]:
+def _described(form: Form) -> dict[str, Any]:
     """What the page needs to know of a kind of file."""
     takes = [name for name in form.takes if name in OUTPUT]
     return {"ending": form.ending, "label": form.label, "takes": takes}

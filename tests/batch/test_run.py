@@ -67,10 +67,10 @@ class Here(Executor):
 
 
 def test_one_bad_pair_does_not_stop_the_rest(jobs: list[Job], tmp_path: Path) -> None:
-    told: list[Outcome] = []
-    outcomes = run_batch(jobs, tmp_path / "out", executor=Here(), tell=told.append)
+    reported: list[Outcome] = []
+    outcomes = run_batch(jobs, tmp_path / "out", executor=Here(), report=reported.append)
     assert [outcome.job for outcome in outcomes] == jobs
-    assert {outcome.job.out for outcome in told} == {job.out for job in jobs}
+    assert {outcome.job.out for outcome in reported} == {job.out for job in jobs}
     assert [bool(outcome.error) for outcome in outcomes] == [False, True, False, True, False]
     assert set(listing(tmp_path / "out")) == DONE | {"summary.csv", "summary.json"}
     assert outcomes[3].error.endswith("none.svg: there is no such file")

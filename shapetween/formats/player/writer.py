@@ -26,11 +26,11 @@ LOOPS = ("once", "repeat", "alternate")
 def html(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """All of it as a page."""
     made = module(segments, options, observe)
-    told = (*segments.warnings, *made.warnings)
-    return Written(_page(segments, options, tuple(dict.fromkeys(told))), made.warnings)
+    messages = (*segments.warnings, *made.warnings)
+    return Written(_page(segments, options, tuple(dict.fromkeys(messages))), made.warnings)
 
 
-def _page(segments: Segments, options: WriteOptions, told: tuple[str, ...]) -> str:
+def _page(segments: Segments, options: WriteOptions, messages: tuple[str, ...]) -> str:
     box = segments.movements[0].box
     title = escape(segments.movements[0].title or segments.name.replace("-", " "))
     papers = dict(PAPERS)
@@ -44,7 +44,7 @@ def _page(segments: Segments, options: WriteOptions, told: tuple[str, ...]) -> s
     drawings = "".join(
         f'<button type="button"><div class="paper"></div>{name}</button>' for name in names
     )
-    notices = "".join(f"<li>{escape(' '.join(line.split()))}</li>\n" for line in told)
+    notices = "".join(f"<li>{escape(' '.join(line.split()))}</li>\n" for line in messages)
     # A page is a script's surroundings, not a module's: what it exports is of no use there.
     script = re.sub(
         r"^export (?:default )?", "", module_text(segments, options), flags=re.MULTILINE

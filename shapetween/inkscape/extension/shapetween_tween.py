@@ -248,12 +248,12 @@ def run(words, folder):
             "{}: {}\n\n{}".format(words[0], error.strerror, reason)
         ) from None
     lines = done.stderr.decode("utf-8", "replace").splitlines()
-    said = [line[len("shapetween: ") :] for line in lines if line.startswith("shapetween: ")]
+    messages = [line[len("shapetween: ") :] for line in lines if line.startswith("shapetween: ")]
     if done.returncode:
-        raise inkex.AbortExtension("\n".join(said or lines[-3:] or ["shapetween was cut off."]))
+        raise inkex.AbortExtension("\n".join(messages or lines[-3:] or ["shapetween was cut off."]))
     if os.environ.get(QUIET):
         return
-    for line in said:
+    for line in messages:
         inkex.errormsg(line.replace(str(folder) + os.sep, ""))
 
 

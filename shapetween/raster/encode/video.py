@@ -33,20 +33,20 @@ def write_video(path: Path, frames: Iterable[Bytes], clock: Clock) -> None:
         then still whole.
     """
     program = _ffmpeg()
-    with fresh_file(path) as fresh, tempfile.TemporaryFile() as said:
-        failed = _fed(program, fresh, frames, clock.fps, said)
+    with fresh_file(path) as fresh, tempfile.TemporaryFile() as log:
+        failed = _fed(program, fresh, frames, clock.fps, log)
         if failed:
-            said.seek(0)
-            lines = said.read().decode(errors="replace").strip().splitlines()
+            log.seek(0)
+            lines = log.read().decode(errors="replace").strip().splitlines()
             raise OptionError(f"{path}: ffmpeg failed: {lines[-1] if lines else 'without a word'}")
 
 
-def _fed(program: str, out: Path, frames: Iterable[Bytes], fps: float, said: IO[bytes]) -> bool:
+def _fed(program: str, out: Path, frames: Iterable[Bytes], fps: float, log: IO[bytes]) -> bool:
     """Run ffmpeg over all frames; whether it failed."""
     rest = iter(frames)
     first = next(rest)
     command = _command(program, first.shape[1], first.shape[0], fps, out)
-    pipe = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said)
+    pipe = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=log)
     assert pipe.stdin is not None
     try:
         pipe.stdin.write(_on_white(first).tobytes())

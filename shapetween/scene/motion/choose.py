@@ -177,13 +177,13 @@ def _closed(
     if agreed and (turning.smooth or _blobs(first, second)):
         return simple, ()
     try:
-        by_engine, said = elastic(ends, settings, names)
+        by_engine, notices = elastic(ends, settings, names)
     except OutlineError as error:
         name = first.name or second.name
         return simple, (Notice("by-corners", str(error), name, "it moves by its corners"),)
     if agreed and turning_excess(by_engine[0]).excess > turning.excess:
         return simple, ()
-    return by_engine, said
+    return by_engine, notices
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -278,8 +278,8 @@ def elastic(
         item.replaced((item.outer.clockwise(), *item.holes)).as_shape
         for item in (ends.first, ends.second)
     ]
-    part, said = morph_fill(shapes[0], shapes[1], settings, names, alone=False)
-    return (part,), said
+    part, notices = morph_fill(shapes[0], shapes[1], settings, names, alone=False)
+    return (part,), notices
 
 
 def _sound(track: Blend) -> bool:

@@ -115,7 +115,7 @@ def seamed_tracks(ends: Ends, tracks: Callable[[Ends], Found]) -> Found | None:
         return None
     cell = _cell(piece, tips)
     pair = (ring, cell) if last else (cell, ring)
-    found, said = tracks(
+    found, notices = tracks(
         replace(ends, first=pair[0], second=pair[1], forms=(form_of(pair[0]), form_of(pair[1])))
     )
     if len(found) != 1 or len(found[0].counts) != 1:
@@ -126,7 +126,7 @@ def seamed_tracks(ends: Ends, tracks: Callable[[Ends], Found]) -> Found | None:
     cut = int(middle[0][0]), float(middle[1][0])
     line = Places(Outline(_cut_at(there[None], *cut)[0], False))
     first, second = np.sort(line.nearest(tips)).tolist()
-    return (Seamed(found[0], cut, line, (first, second), last),), said
+    return (Seamed(found[0], cut, line, (first, second), last),), notices
 
 
 def _cell(piece: Item, tips: Points) -> Item:

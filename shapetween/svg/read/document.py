@@ -131,15 +131,15 @@ class Document:
         self._spent: Counter[str] = Counter()
         for warning in warnings:
             self.losses.add(warning)
-        self._told: set[str] = set()
-        self.cascade = Cascade(self.root, self.spend, self.tell, _medium(self.root))
+        self._warned: set[str] = set()
+        self.cascade = Cascade(self.root, self.spend, self.warn, _medium(self.root))
         for element in self.root.iter():
             if local_name(element) in ANIMATIONS:
-                self.tell(ANIMATED)
+                self.warn(ANIMATED)
             elif local_name(element) == "script" and (
                 href(element) or (element.text or "").strip()
             ):
-                self.tell("its script was not run: what that draws or changes is not read")
+                self.warn("its script was not run: what that draws or changes is not read")
         self.ids: dict[str, Element] = {}
         for element in self.root.iter():
             identity = element.get("id")
@@ -156,10 +156,10 @@ class Document:
         self._parents: dict[Element, Element] | None = None
         self._styles: dict[Element, Properties] = {}
 
-    def tell(self, what: str) -> None:
+    def warn(self, what: str) -> None:
         """Note something about the document as a whole, once."""
-        if what not in self._told:
-            self._told.add(what)
+        if what not in self._warned:
+            self._warned.add(what)
             self.losses.add(what)
 
     def spend(self, limit: str, amount: int = 1) -> None:

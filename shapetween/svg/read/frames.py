@@ -48,7 +48,7 @@ class Layer:
     mask_mode: str = "match-source"
 
     @property
-    def says_something(self) -> bool:
+    def has_effect(self) -> bool:
         """Whether anything is done at all."""
         return (
             self.opacity < 1

@@ -238,15 +238,15 @@ def _placed(glyphs: Sequence[_Set]) -> None:
     first: what runs from right to left is set from its left end.
     """
     x = y = 0.0
-    told: set[int] = set()
+    shifted: set[int] = set()
     for glyph in glyphs:
         if glyph.opens is not None:
             opens = glyph.opens.places
             glyph.starts = "x" in opens or "y" in opens
             x, y = opens.get("x", x), opens.get("y", y)
         places = glyph.character.places
-        if id(glyph.character) not in told:
-            told.add(id(glyph.character))
+        if id(glyph.character) not in shifted:
+            shifted.add(id(glyph.character))
             x, y = x + places.get("dx", 0.0), y + places.get("dy", 0.0)
         glyph.x, glyph.y, glyph.turn = x, y, places.get("rotate", 0.0)
         x += glyph.advance

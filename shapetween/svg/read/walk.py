@@ -214,7 +214,7 @@ def entered(
     for name, instead in UNDRAWN.items():
         if properties.get(name, "none").strip().lower() not in ("none", "auto", "initial"):
             document.losses.add(f"the property {name} was left out; {instead}", label(element))
-    return replace(frame, layers=(*frame.layers, layer)) if layer.says_something else frame
+    return replace(frame, layers=(*frame.layers, layer)) if layer.has_effect else frame
 
 
 def _clip(document: Document, text: str) -> Element | str | None:

@@ -1,4 +1,4 @@
-"""What commands tell of what they have done."""
+"""Messages of commands about what they have done."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -19,7 +19,7 @@ def warn(warnings: Iterable[str]) -> None:
 def wrote(place: Path, what: str = "") -> None:
     """Tell that something, else the file itself, has been written.
 
-    A device is told nothing: it may be the very stream that shows the message.
+    Of a device there is no message: it may be the very stream that shows the message.
 
     Raises
     ------
