@@ -37,7 +37,7 @@ from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
-from shapetween.scene.strokes import as_lines
+from shapetween.scene.strokes.outlined import as_lines
 from shapetween.scene.swelling import swells
 from shapetween.scene.whole import frame_between, turns_over
 

@@ -23,6 +23,9 @@ QUESTIONS = {
     "`<text>`": "text",
     "which shape pairs with which": "Roles",
     "what is an eye, a mouth, a wheel": "EYE",
+    "how what has no partner disappears": "disappear",
+    "when two drawings are exchanged as wholes": "too_different",
+    "the centre line of an outlined stroke": "medial",
 }
 
 

@@ -92,6 +92,28 @@ LOOSE = {"__init__", "__main__", "api", "pipeline", "report"}
 MOST_LINES = 400
 
 
+#: Run by name, or imported by scripts of the gallery or by Inkscape.
+RUN = {
+    "shapetween.__main__",
+    "shapetween.gallery.strips",
+    "shapetween.inkscape.extension.shapetween_tween",
+    "shapetween.truth.__main__",
+}
+
+
+def test_no_module_is_left_over() -> None:
+    """Each is imported by another one, or named in a table of what is loaded when asked for."""
+    used = {name for tree in MODULES.values() for name in imported(tree)}
+    texts = {
+        node.value.partition(":")[0]
+        for tree in MODULES.values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    rooms = {name.rpartition(".")[0] for name in MODULES}  # their faces are imported along
+    assert set(MODULES) - used - texts - rooms - RUN == set()
+
+
 def room_of(name: str) -> str:
     parts = name.split(".")
     return parts[1] if len(parts) > 1 else "__init__"

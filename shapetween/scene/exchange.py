@@ -14,11 +14,11 @@ from shapetween.base.ends import End
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
 from shapetween.scene.forms import RoundedBox
-from shapetween.scene.going import Going
 from shapetween.scene.items import Item
-from shapetween.scene.presence import Leaving
 from shapetween.scene.relations import Scene, drawn_box, in_common, pictures
 from shapetween.scene.torn import closes
+from shapetween.scene.unmatched.going import Going
+from shapetween.scene.unmatched.presence import Leaving
 
 __all__ = [
     "behind_both",

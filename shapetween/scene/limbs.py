@@ -21,8 +21,8 @@ from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
-from shapetween.scene.stroke_limbs import outlined_strokes
-from shapetween.scene.strokes import line_of
+from shapetween.scene.strokes.outlined import line_of
+from shapetween.scene.strokes.segmentation import outlined_strokes
 
 if TYPE_CHECKING:
     import shapely

@@ -17,22 +17,22 @@ from shapetween.fill.track import FillTrack, fills_of
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
+from shapetween.scene.attachments import MOST_ENDS, kept_to
 from shapetween.scene.borders import bordered_tracks
 from shapetween.scene.exchange import behind_both, exchange_goings, exchange_roles, too_different
 from shapetween.scene.features import MOST_ITEMS
-from shapetween.scene.going import Going
 from shapetween.scene.items import Item
-from shapetween.scene.keeping import MOST_ENDS, kept_to
 from shapetween.scene.kept.areas import KeptArea
-from shapetween.scene.leaving import goings_between
 from shapetween.scene.motion.tracks import Frame, Shared
-from shapetween.scene.order import Layer, layers_of
+from shapetween.scene.paint_order import Layer, layers_of
 from shapetween.scene.pairing import pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
-from shapetween.scene.strokes import MOST_AREAS, as_painted, stroke_notice, too_many_areas
-from shapetween.scene.unmatched import unmatched_part
+from shapetween.scene.strokes.outlined import MOST_AREAS, as_painted, stroke_notice, too_many_areas
+from shapetween.scene.unmatched.choose import goings_between
+from shapetween.scene.unmatched.going import Going
+from shapetween.scene.unmatched.part import unmatched_part
 
 __all__ = ["SceneMovement", "move_scene"]
 

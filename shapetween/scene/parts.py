@@ -12,7 +12,7 @@ from shapetween.model.part import BlendedPaint, CurveTrack, Part
 from shapetween.model.whole import MOTION_TIMES, WholeMotion
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Framed
-from shapetween.scene.order import Layer, share_shown
+from shapetween.scene.paint_order import Layer, share_shown
 
 __all__ = ["PairPaint", "joined_parts", "pair_part"]
 

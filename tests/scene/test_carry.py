@@ -5,7 +5,7 @@ from shapetween.base.arrays import Curves, Floats
 from shapetween.base.ends import End
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.part import Leaf
-from shapetween.scene.presence import MANY_CURVES, Carry
+from shapetween.scene.unmatched.presence import MANY_CURVES, Carry
 
 
 class Turning(Leaf):

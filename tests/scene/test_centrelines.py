@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from shapetween.model.outline import Outline
-from shapetween.scene.centrelines import centre_lines, run_into
+from shapetween.scene.strokes.centrelines import centre_lines, run_into
 from tests.scene.strokes import arc, flat, painted, polyline
 
 CHECK = [polyline((4, 13), (9, 18), (20, 6))]

@@ -19,7 +19,7 @@ from shapetween.scene.joining import joined_lines
 from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.relations import Scene
 from shapetween.scene.sets import sets_of
-from shapetween.scene.strokes import as_lines
+from shapetween.scene.strokes.outlined import as_lines
 from shapetween.svg.read.reader import read_svg
 
 DATA = Path(__file__).resolve().parents[1] / "data" / "pairing"

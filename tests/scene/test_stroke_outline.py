@@ -7,9 +7,9 @@ import shapely
 from shapetween.base.arrays import Curves
 from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.model.outline import Outline
-from shapetween.scene.stroke_contour import stroke_rings
-from shapetween.scene.stroke_limbs import outlined_strokes
-from shapetween.scene.stroke_outline import StrokeOutline, stroke_outline
+from shapetween.scene.strokes.contour import stroke_rings
+from shapetween.scene.strokes.outline import StrokeOutline, stroke_outline
+from shapetween.scene.strokes.segmentation import outlined_strokes
 from tests.scene.strokes import arc, flat, painted, polyline, region_of
 from tests.scene.test_centrelines import STROKES
 

@@ -11,9 +11,9 @@ from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke, Style
 from shapetween.pipeline import Options, prepare
 from shapetween.scene.items import Item, items_of
-from shapetween.scene.stroke_contour import stroke_rings
-from shapetween.scene.stroke_cuts import opened_ring, parted_ring
-from shapetween.scene.strokes import as_lines
+from shapetween.scene.strokes.contour import stroke_rings
+from shapetween.scene.strokes.cuts import opened_ring, parted_ring
+from shapetween.scene.strokes.outlined import as_lines
 from tests.scene.strokes import arc, flat, painted, polyline, region_of
 from tests.scene.test_centrelines import ARROW, CHECK, CROSS, GLASS, PLUS, RING, SHACKLE
 

@@ -13,7 +13,7 @@ from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
 from shapetween.scene.motion.holes import opened
 from shapetween.scene.motion.tracks import OfTrack
-from shapetween.scene.presence import smooth_step
+from shapetween.scene.unmatched.presence import smooth_step
 
 __all__ = [
     "Against",

@@ -20,7 +20,7 @@ from shapetween.scene.motion.hole_pairs import distances, paired_holes, stroke_o
 from shapetween.scene.motion.holes import Opening, matched_holes
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
-from shapetween.scene.strokes import as_painted, line_of
+from shapetween.scene.strokes.outlined import as_painted, line_of
 
 if TYPE_CHECKING:
     import shapely

@@ -17,7 +17,7 @@ from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import in_common, pictures
-from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
+from shapetween.scene.strokes.segmentation import OutlinedStroke, outlined_strokes
 
 if TYPE_CHECKING:
     import shapely

@@ -8,8 +8,8 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.geometry.bezier import end_tangents, line_curves, sub_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.places import Places
-from shapetween.scene.stroke_frame import StrokeFrame
-from shapetween.scene.stroke_walk import walk_of
+from shapetween.scene.strokes.frame import StrokeFrame
+from shapetween.scene.strokes.walk import walk_of
 
 __all__ = ["opened_ring", "parted_ring"]
 

@@ -14,8 +14,8 @@ from shapetween.geometry.bezier import curve_lengths, end_tangents, signed_area
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.model.outline import Outline
-from shapetween.scene.stroke_frame import CAP, JOIN, SMOOTH, WALL, StrokeFrame
-from shapetween.scene.stroke_walk import Walk, cut_alike, walk_of
+from shapetween.scene.strokes.frame import CAP, JOIN, SMOOTH, WALL, StrokeFrame
+from shapetween.scene.strokes.walk import Walk, cut_alike, walk_of
 
 __all__ = ["StrokeOutline", "stroke_outline"]
 

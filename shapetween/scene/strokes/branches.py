@@ -7,8 +7,8 @@ import numpy as np
 
 from shapetween.base.arrays import Mask, Points
 from shapetween.geometry.polygon import cross
-from shapetween.scene.axis_fit import end_motion
-from shapetween.scene.medial_axis import Chain, MedialAxis
+from shapetween.scene.strokes.axis_fit import end_motion
+from shapetween.scene.strokes.medial_axis import Chain, MedialAxis
 
 __all__ = ["Limb", "limbs_of"]
 

@@ -8,12 +8,12 @@ from shapetween.base.notices import Notice
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.model.part import CurveTrack, Part
-from shapetween.scene.going import Going
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Framed
 from shapetween.scene.places import Places, cut_alike
-from shapetween.scene.presence import Carry, Leaving, LeavingPaint, LeavingTrack
-from shapetween.scene.strokes import stroke_notice, stroked_leaving
+from shapetween.scene.strokes.outlined import stroke_notice, stroked_leaving
+from shapetween.scene.unmatched.going import Going
+from shapetween.scene.unmatched.presence import Carry, Leaving, LeavingPaint, LeavingTrack
 
 __all__ = ["unmatched_part"]
 

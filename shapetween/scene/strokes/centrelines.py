@@ -14,9 +14,9 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.geometry.bezier import end_tangents, evaluate, line_curves
 from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
-from shapetween.scene.axis_fit import fit_curves
-from shapetween.scene.branches import Limb, limbs_of
-from shapetween.scene.medial_axis import MedialAxis, medial_axis
+from shapetween.scene.strokes.axis_fit import fit_curves
+from shapetween.scene.strokes.branches import Limb, limbs_of
+from shapetween.scene.strokes.medial_axis import MedialAxis, medial_axis
 
 if TYPE_CHECKING:
     import shapely

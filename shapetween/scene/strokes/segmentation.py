@@ -10,10 +10,10 @@ from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import evaluate, sub_curves
 from shapetween.model.outline import Outline
-from shapetween.scene.centrelines import CentreLine, centre_lines
-from shapetween.scene.stroke_contour import contour_part
-from shapetween.scene.stroke_frame import CAP, WALL, StrokeFrame
-from shapetween.scene.stroke_walk import follows
+from shapetween.scene.strokes.centrelines import CentreLine, centre_lines
+from shapetween.scene.strokes.contour import contour_part
+from shapetween.scene.strokes.frame import CAP, WALL, StrokeFrame
+from shapetween.scene.strokes.walk import follows
 
 if TYPE_CHECKING:
     import shapely

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.scene.assign import Roles
-from shapetween.scene.presence import smooth_step
 from shapetween.scene.relations import Scene
+from shapetween.scene.unmatched.presence import smooth_step
 
 __all__ = ["Layer", "layers_of"]
 

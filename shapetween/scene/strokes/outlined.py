@@ -14,11 +14,11 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, Painted
 from shapetween.scene.motion.tracks import OfTrack
-from shapetween.scene.presence import LeavingTrack
-from shapetween.scene.stroke_contour import stroke_rings
-from shapetween.scene.stroke_cuts import opened_ring, parted_ring
-from shapetween.scene.stroke_limbs import OutlinedStroke, outlined_strokes
-from shapetween.scene.stroke_outline import StrokeOutline, stroke_outline
+from shapetween.scene.strokes.contour import stroke_rings
+from shapetween.scene.strokes.cuts import opened_ring, parted_ring
+from shapetween.scene.strokes.outline import StrokeOutline, stroke_outline
+from shapetween.scene.strokes.segmentation import OutlinedStroke, outlined_strokes
+from shapetween.scene.unmatched.presence import LeavingTrack
 
 __all__ = [
     "MOST_AREAS",

@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Index, Mask
 from shapetween.geometry.bezier import curve_lengths, evaluate, sub_curves
 from shapetween.model.outline import Outline
-from shapetween.scene.stroke_frame import StrokeFrame
+from shapetween.scene.strokes.frame import StrokeFrame
 
 __all__ = ["Walk", "cut_alike", "follows", "walk_of"]
 

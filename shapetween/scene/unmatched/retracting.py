@@ -7,14 +7,14 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
-from shapetween.scene.clusters import Cluster, is_line
-from shapetween.scene.folding import fold_onto
 from shapetween.scene.forms import OpenLine, Segment
-from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
 from shapetween.scene.items import Item
 from shapetween.scene.places import Places
-from shapetween.scene.presence import BOTH, Carry, Leaving
 from shapetween.scene.relations import Scene
+from shapetween.scene.unmatched.clusters import Cluster, is_line
+from shapetween.scene.unmatched.folding import fold_onto
+from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside
+from shapetween.scene.unmatched.presence import BOTH, Carry, Leaving
 
 __all__ = ["first_end", "gap_going", "retracted_lines"]
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
-from shapetween.scene.clusters import Anchors
 from shapetween.scene.forms import Dot, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.fold import Fold
-from shapetween.scene.presence import NEAR, Carry, Leaving
 from shapetween.scene.relations import Scene
+from shapetween.scene.unmatched.clusters import Anchors
+from shapetween.scene.unmatched.presence import NEAR, Carry, Leaving
 
 __all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
 

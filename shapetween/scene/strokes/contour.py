@@ -9,7 +9,7 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.geometry.bezier import end_tangents, line_curves
 from shapetween.geometry.rotation import rotations
 from shapetween.model.outline import Outline
-from shapetween.scene.stroke_frame import CAP, JOIN, WALL, StrokeFrame
+from shapetween.scene.strokes.frame import CAP, JOIN, WALL, StrokeFrame
 
 __all__ = ["contour_part", "stroke_rings"]
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from shapetween.base.ends import End
-from shapetween.scene.going import Going, Side
 from shapetween.scene.places import Places
-from shapetween.scene.presence import BOTH
+from shapetween.scene.unmatched.going import Going, Side
+from shapetween.scene.unmatched.presence import BOTH
 
 __all__ = ["timed_gaps"]
 

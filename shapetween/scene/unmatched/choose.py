@@ -1,4 +1,4 @@
-"""How each item without a partner goes, by how it lies; what comes does the same backwards.
+"""How each item without a partner disappears, by how it lies; what appears does so backwards.
 
 What lies in something that stays, or is loose, shrinks about its middle; what touches something
 that stays shrinks into the contact; lines are retracted along their length. So everything is seen
@@ -15,7 +15,9 @@ from shapetween.base.arrays import Points
 from shapetween.base.ends import End
 from shapetween.geometry.bezier import flatten
 from shapetween.scene.asked import Change
-from shapetween.scene.clusters import (
+from shapetween.scene.forms import RoundedBox
+from shapetween.scene.relations import Scene
+from shapetween.scene.unmatched.clusters import (
     Anchors,
     Cluster,
     clusters_of,
@@ -23,12 +25,10 @@ from shapetween.scene.clusters import (
     is_line,
     staying_parent,
 )
-from shapetween.scene.forms import RoundedBox
-from shapetween.scene.gaps import timed_gaps
-from shapetween.scene.going import Going, Side, nearer_end, nearest_beside
-from shapetween.scene.presence import Leaving
-from shapetween.scene.relations import Scene
-from shapetween.scene.retracting import first_end, gap_going, retracted_lines
+from shapetween.scene.unmatched.gaps import timed_gaps
+from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside
+from shapetween.scene.unmatched.presence import Leaving
+from shapetween.scene.unmatched.retracting import first_end, gap_going, retracted_lines
 
 __all__ = ["goings_between"]
 

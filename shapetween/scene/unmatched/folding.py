@@ -8,9 +8,9 @@ import numpy as np
 
 from shapetween.scene.cuts.lines import opaque
 from shapetween.scene.forms import Segment
-from shapetween.scene.going import Side
 from shapetween.scene.motion.fold import Fold
 from shapetween.scene.places import Places, cut_alike, run_between
+from shapetween.scene.unmatched.going import Side
 
 __all__ = ["fold_onto"]
 

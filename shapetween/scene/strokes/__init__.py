@@ -1,0 +1,1 @@
+"""Areas that are outlined strokes: their centre lines, and their outlines while those move."""
