@@ -7,7 +7,7 @@ import pytest
 import shapetween as st
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.scene import keeping, movement, strokes, unmatched
+from shapetween.scene import attachments, movement, strokes, unmatched
 from shapetween.scene.kept import areas
 from shapetween.scene.motion import choose
 
@@ -57,7 +57,7 @@ def test_areas_too_many_to_be_looked_for_strokes(
 
 @pytest.mark.parametrize(
     ("module", "limit", "says"),
-    [(movement, "MOST_ITEMS", "faces"), (keeping, "MOST_ENDS", "lines")],
+    [(movement, "MOST_ITEMS", "faces"), (attachments, "MOST_ENDS", "lines")],
 )
 def test_parts_too_many_for_what_is_done_with_few(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: object, limit: str, says: str
