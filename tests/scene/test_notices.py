@@ -7,9 +7,11 @@ import pytest
 import shapetween as st
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.scene import attachments, movement, strokes, unmatched
+from shapetween.scene import attachments, movement
 from shapetween.scene.kept import areas
 from shapetween.scene.motion import choose
+from shapetween.scene.strokes import outlined
+from shapetween.scene.unmatched import part
 
 ICON = 'fill="none" stroke="#000" stroke-width="2"'
 INPUTS = Path(__file__).resolve().parents[2] / "gallery/inputs"
@@ -50,7 +52,7 @@ def test_areas_too_many_to_be_kept_in_part(
 def test_areas_too_many_to_be_looked_for_strokes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in (strokes, movement):
+    for module in (outlined, movement):
         monkeypatch.setattr(module, "MOST_AREAS", 0)
     assert "strokes" in told(tmp_path, CHECK, HEAD)["too-many-parts"].message
 
@@ -72,7 +74,7 @@ def test_parts_too_many_for_what_is_done_with_few(
 def test_a_stroke_whose_area_does_not_follow_its_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(strokes, "stroke_outline", lambda *_: None)
+    monkeypatch.setattr(outlined, "stroke_outline", lambda *_: None)
     notice = told(tmp_path, CHECK, HEAD)["stroke-outline"]
     assert "line of one width" in str(notice)
     assert notice.severity == "warning"
@@ -81,7 +83,7 @@ def test_a_stroke_whose_area_does_not_follow_its_line(
 def test_a_stroke_that_goes_and_whose_area_does_not_follow_its_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(unmatched, "stroked_leaving", lambda *_: None)
+    monkeypatch.setattr(part, "stroked_leaving", lambda *_: None)
     bar = '<path d="M2 21h20v1h-20z"/>'
     found = told(tmp_path, CHECK, CHECK.replace(bar, "") + '<path d="M3 3h3v3h-3z"/>')
     assert "it shrinks" in str(found["stroke-outline"])
