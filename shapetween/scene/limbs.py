@@ -21,6 +21,7 @@ from shapetween.fill.regions import Region
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.outline import Outline
 from shapetween.scene.items import Item
+from shapetween.scene.strokes.centrelines import is_broad
 from shapetween.scene.strokes.outlined import line_of
 from shapetween.scene.strokes.segmentation import outlined_strokes
 
@@ -113,6 +114,8 @@ def _split(item: Item, cuts: Sequence[Points]) -> list[Item] | None:
         if not roots:
             return None
         whole = shapely.union_all([limb, *roots])
+        if is_broad(whole):
+            return None
         borders.append(whole)
         for root in roots:
             edge = shapely.get_coordinates(root)[:-1]

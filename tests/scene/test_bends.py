@@ -138,7 +138,9 @@ def test_a_dot_becomes_a_bar_as_a_capsule() -> None:
 @pytest.mark.parametrize("pair", [(ARROW, STAR), (HEART, HOUSE), (STAR, HOUSE)])
 def test_a_part_stays_symmetric_whatever_it_lies_in(pair: tuple[str, str]) -> None:
     first, second = places(pair[0]), places(pair[1])
-    pieces = cut_alike(first, second, *even_knots(first, second))
+    knots = even_knots(first, second)
+    assert knots is not None
+    pieces = cut_alike(first, second, *knots)
     seen = shapely.Polygon(flatten((pieces.source + pieces.target) / 2, 64))
     image = shapely.transform(seen, lambda xy: xy * [-1, 1] + [100, 0])
     assert seen.symmetric_difference(image).area < 1e-6 * seen.area

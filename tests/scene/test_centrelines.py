@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from shapetween.model.outline import Outline
-from shapetween.scene.strokes.centrelines import centre_lines, run_into
+from shapetween.scene.strokes.centrelines import centre_lines, is_broad, run_into
 from tests.scene.strokes import arc, flat, painted, polyline
 
 CHECK = [polyline((4, 13), (9, 18), (20, 6))]
@@ -98,6 +98,21 @@ BODIES = {
 @pytest.mark.parametrize("name", BODIES)
 def test_bodies_have_none(name: str) -> None:
     assert centre_lines(BODIES[name]) is None
+
+
+@pytest.mark.parametrize("name", ["disc", "square", "triangle", "gear", "paddle"])
+def test_bodies_are_told_by_a_quick_look(name: str) -> None:
+    assert is_broad(BODIES[name])
+
+
+@pytest.mark.parametrize("width", [0.5, 1.6, 3.0])
+def test_no_stroke_is_taken_for_a_body_at_a_glance(width: float) -> None:
+    """Also where thick ones cross, and hardly anything is left of them between."""
+    for name, lines in STROKES.items():
+        assert not is_broad(painted(lines, width)), name
+    level = [polyline((4, y), (20, y)) for y in (8, 16)]
+    grid = level + [polyline((x, 4), (x, 20)) for x in (8, 16)]
+    assert not is_broad(painted(grid, width))
 
 
 def test_a_line_that_is_all_there_is_runs_into_nothing() -> None:

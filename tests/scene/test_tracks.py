@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 
 from shapetween.geometry.bezier import line_curves
+from shapetween.model.drawing import Shape
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, Style
 from shapetween.model.part import CurveTrack
+from shapetween.scene.items import items_of
+from shapetween.scene.motion import choose
 from shapetween.scene.motion.holes import Opening
 from shapetween.scene.motion.tracks import Blend, Frame, Framed, Mirrored, Shared
 from shapetween.scene.places import Pieces
@@ -50,3 +55,19 @@ def test_what_a_track_is_made_of_is_changed_wherever_it_stands() -> None:
         assert type(fresh) is type(track)
         gap = fresh.curves(TIMES) - track.curves(TIMES)
         assert np.abs(gap[-1]).max() == pytest.approx(1.0)
+
+
+def test_corners_are_not_matched_where_an_outline_turns_far_too_much(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked = []
+    monkeypatch.setattr(choose, "register", lambda *ends: asked.append(ends))
+    for teeth, looked in ((3, True), (12, False)):
+        angle = 2 * np.pi * np.arange(2 * teeth) / (2 * teeth)
+        radius = np.where(np.arange(2 * teeth) % 2, 5.0, 9.0)
+        corners = radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+        ((item,), _) = items_of((Shape((ring,), Style(Colour())),), "star")
+        choose.corners_suffice(item, item)
+        assert bool(asked) == looked
+        asked.clear()

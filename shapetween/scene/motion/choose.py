@@ -28,7 +28,7 @@ from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
 from shapetween.scene.motion.tracks import Blend
-from shapetween.scene.motion.turning import turning_excess
+from shapetween.scene.motion.turning import MOST_TURNS, total_turning, turning_excess
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.torn import folds
 
@@ -57,6 +57,10 @@ SAME = 2e-3
 
 #: Least size of an outline, as a share of the drawing, for which the engine is worth its time.
 LARGE = 0.22
+
+#: Turning, in whole turns, of an outline that is plainly beyond `MOST_TURNS`, wherever it is begun
+#: and cut. Less, and rounding would decide; more, and corners are matched for nothing.
+TOO_MANY = 1.15 * MOST_TURNS
 
 #: Share of its convex hull that an outline without limbs has.
 CONVEX = 0.95
@@ -188,21 +192,26 @@ def _closed(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Corners:
-    """How an outer ring becomes another by its corners alone, and the knots of both."""
+    """How an outer ring becomes another by its corners alone, and the knots of both.
+
+    It is `even` where both rings are their own mirror images.
+    """
 
     track: Blend
     u: Floats
     v: Floats
+    even: bool
 
 
 def _by_corners(first: Item, second: Item) -> _Corners:
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
-    knots = even_knots(*places)
+    mirrored = even_knots(*places)
+    knots = ring_knots(*places) if mirrored is None else mirrored
     track = _blend(cut_alike(*places, *knots), first, second, 0.0)
-    if not _sound(track):
+    if mirrored is not None and not _sound(track):
         knots = ring_knots(*places)
         track = _blend(cut_alike(*places, *knots), first, second, 0.0)
-    return _Corners(track, *knots)
+    return _Corners(track, *knots, even=mirrored is not None)
 
 
 def corner_tracks(first: Item, second: Item) -> tuple[CurveTrack, ...]:
@@ -217,14 +226,16 @@ def corners_suffice(first: Item, second: Item) -> bool:
     It does so where the outlines' own matching turns neither, and the corners throw no waves and
     go where that matching says, which knows more of the outlines; or where both are even.
     """
+    blobs = _blobs(first, second)
+    if not blobs and max(total_turning(item.outer.curves) for item in (first, second)) > TOO_MANY:
+        return False
     if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
     corners = _by_corners(first, second)
     turning = turning_excess(corners.track)
-    places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     # What is even stays so by its corners, whatever waves it throws and wherever they go.
-    even = turning.simple and any(mirrored_knots(*places, flips) is not None for flips in (0, 1))
-    if not (even or turning.smooth or _blobs(first, second)):
+    even = turning.simple and corners.even
+    if not (even or turning.smooth or blobs):
         return False
     return _as_matched(corners, first, second, anywhere=even)
 

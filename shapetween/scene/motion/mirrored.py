@@ -3,7 +3,7 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats
-from shapetween.scene.motion.bend_knots import half_knots, ring_knots
+from shapetween.scene.motion.bend_knots import half_knots
 from shapetween.scene.places import Places
 
 __all__ = ["axis_crossings", "even_knots", "mirrored_knots"]
@@ -36,13 +36,13 @@ def mirrored_knots(source: Places, target: Places, flips: int) -> tuple[Floats, 
     return half_knots(source, target, *crossings)
 
 
-def even_knots(source: Places, target: Places) -> tuple[Floats, Floats]:
-    """Knots of two rings, themselves mirror images where both rings are, about one direction."""
+def even_knots(source: Places, target: Places) -> tuple[Floats, Floats] | None:
+    """Knots of two rings that both are their own mirror images about one direction, if they are."""
     for flips in (0, 1):
         knots = mirrored_knots(source, target, flips)
         if knots is not None:
             return knots
-    return ring_knots(source, target)
+    return None
 
 
 def _even(places: Places, half: tuple[float, float], flips: int) -> bool:
