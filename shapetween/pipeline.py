@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, Literal, TypeAlias, get_args
 
 import numpy as np
 
@@ -34,12 +34,15 @@ from shapetween.scene.limbs import with_limbs
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.mouths import mouth_track
-from shapetween.scene.movement import SceneMovement, move_scene
 from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
 from shapetween.scene.strokes.outlined import as_lines
 from shapetween.scene.swelling import swells
 from shapetween.scene.whole import frame_between, turns_over
+
+if TYPE_CHECKING:
+    from shapetween.scene.kept.areas import KeptArea
+    from shapetween.scene.movement import SceneMovement
 
 __all__ = ["Folds", "Options", "Prepared", "prepare"]
 
@@ -141,7 +144,7 @@ class Prepared:
     fit: Affine
     notices: tuple[Notice, ...]
     filled: tuple[FillTrack, ...]
-    scene: SceneMovement | None = None
+    scene: "SceneMovement | None" = None
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -222,7 +225,7 @@ def prepare(
 
 
 _Moved: TypeAlias = tuple[
-    tuple[Part, ...], tuple[FillTrack, ...], tuple[Notice, ...], SceneMovement | None
+    tuple[Part, ...], tuple[FillTrack, ...], tuple[Notice, ...], "SceneMovement | None"
 ]
 
 
@@ -237,26 +240,23 @@ def _moved(
     """A single area that becomes another by the outline engine, or else a scene."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
     (one, notices), (other, more) = found
+    notices = (*notices, *more)
     one, other = joined_lines(one), joined_lines(other)
     free = all(group[0] and group[1] for group in asked.groups)
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
         with settings.observe("perceive"):
             kept = kept_areas(one, other, asked.groups)
-        more = (*more, *kept.notices)
+        notices = (*notices, *kept.notices)
         if kept.areas:
-            one, other = as_lines(kept.first, kept.second)
-            scene = move_scene(one, other, boxes, asked, settings, names, kept.areas)
-            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
+            lines = as_lines(kept.first, kept.second)
+            return _scene(lines, boxes, asked, settings, names, notices, kept.areas)
         apart = with_limbs(one, other)
         if apart is not None:
-            one, other = as_lines(*apart)
-            scene = move_scene(one, other, boxes, asked, settings, names)
-            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
+            return _scene(as_lines(*apart), boxes, asked, settings, names, notices)
     lines = _lined(one, other, boxes)
     if asked.exchange and len(one) == len(other) == 1:
         if _pierced_apart(one[0], other[0], lines, settings):
-            scene = move_scene(one, other, boxes, asked, settings, names)
-            return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
+            return _scene((one, other), boxes, asked, settings, names, notices)
         asked = replace(asked, exchange=len(lines[0]) + len(lines[1]) > 2)
     if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
         one, other = lines
@@ -266,8 +266,23 @@ def _moved(
         styles = areas[0].style, areas[1].style
         motion = track.whole_motion() if any(map(has_gradient, styles)) else None
         return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), moved, None
-    scene = move_scene(one, other, boxes, asked, settings, names)
-    return scene.parts, scene.areas, (*notices, *more, *scene.notices), scene
+    return _scene((one, other), boxes, asked, settings, names, notices)
+
+
+def _scene(
+    sides: tuple[Sequence[Item], Sequence[Item]],
+    boxes: tuple[Points, Points],
+    asked: Asked,
+    settings: FillSettings,
+    names: tuple[str, str],
+    notices: tuple[Notice, ...],
+    kept: Sequence["KeptArea"] = (),
+) -> _Moved:
+    """Both sides' items as parts, each of which moves, disappears or appears by itself."""
+    from shapetween.scene.movement import move_scene  # slow to import, and one outline needs none
+
+    scene = move_scene(*sides, boxes, asked, settings, names, kept)
+    return scene.parts, scene.areas, (*notices, *scene.notices), scene
 
 
 def _pierced_apart(

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,7 +14,9 @@ from shapetween.mesh.pair import MeshPair
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.pipeline import Prepared
 from shapetween.scene.items import Item
-from shapetween.scene.movement import SceneMovement
+
+if TYPE_CHECKING:
+    from shapetween.scene.movement import SceneMovement
 
 __all__ = ["build", "build_chain", "mesh_figures"]
 
@@ -114,7 +116,7 @@ def _alternatives(ring: RingMatch) -> list[dict[str, Any]]:
     ]
 
 
-def _parts(scene: SceneMovement) -> list[dict[str, Any]]:
+def _parts(scene: "SceneMovement") -> list[dict[str, Any]]:
     """Who became whom, at what cost, and what stayed alone."""
     a, b = scene.scenes
     found: list[dict[str, Any]] = [
