@@ -482,3 +482,34 @@ def test_the_tip_of_a_slash_is_round_while_it_is_drawn() -> None:
             if t < 0.2:
                 drawn_of_it = area.difference(disc.buffer(0.1))
                 assert drawn_of_it.area > 0.98 * drawn_of_it.convex_hull.area
+
+
+@pytest.mark.parametrize("comes", [True, False])
+@pytest.mark.parametrize("jitter", [0.0, 0.1])
+def test_an_empty_slash_is_cut_at_full_width_from_one_end(comes: bool, jitter: float) -> None:
+    """As through an eye: not as a crack that grows wider, also if the outline is drawn anew."""
+    eye = (
+        shapely.Point(50, 50).buffer(40, quad_segs=32).difference(shapely.Point(50, 50).buffer(15))
+    )
+    slot = shapely.LineString([(10, 90), (90, 10)]).buffer(4, cap_style="flat")
+    bump = shapely.Polygon([(15, 30), (17 - jitter, 28), (17, 30)])
+    shut = eye.difference(slot)
+    whole = shut.union(bump) if jitter else shut
+    ends = path(eye), path(whole)
+    found = frames(*(ends if comes else ends[::-1]))
+    gone = [eye.difference(area).area for area in (found if comes else found[::-1])]
+    assert (np.diff(gone) >= -0.1).all()
+    for area in found[1:-1]:
+        cut = eye.difference(area)
+        assert cut.difference(slot.buffer(0.2)).area < 1
+        for part in shapely.get_parts(cut.buffer(-0.2)):
+            ahead = shapely.get_coordinates(part) @ np.array([1, 1]) / np.sqrt(2)
+            assert part.area < 1 or np.ptp(ahead) > 7
+
+
+def test_a_level_slot_opens_all_along_and_halves_part_as_cells() -> None:
+    lid = BOX.difference(shapely.box(0, 40, 100, 46))
+    middle = frames(path(BOX), path(lid))[4]
+    assert middle.contains(shapely.Point(25, 30))
+    cut = BOX.difference(middle)
+    assert np.ptp(shapely.get_coordinates(cut)[:, 0]) > 59

@@ -19,7 +19,7 @@ from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
 from shapetween.scene.kept.appearing import InTurn
 from shapetween.scene.kept.badges import badge_tracks, badges_of, meets
-from shapetween.scene.kept.bars import Bar, bar_of
+from shapetween.scene.kept.bars import Bar, bar_of, slot_of
 from shapetween.scene.kept.changes import tracks_of_pieces
 from shapetween.scene.kept.holes import (
     holes_in_turn,
@@ -28,6 +28,7 @@ from shapetween.scene.kept.holes import (
     matched_hole_track,
     unmatched_hole_track,
 )
+from shapetween.scene.kept.inverted import inverted_tracks
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
 from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
@@ -105,6 +106,9 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     """
     sides = (first, second)
     scale = _scale(sides)
+    turned = None if groups else _inverted(sides, scale)
+    if turned is not None:
+        return Kept((turned.first,), (turned.second,), (turned,))
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
     families = _families(sides)
@@ -137,6 +141,27 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
         for changed, side in zip(now, sides, strict=True)
     ]
     return Kept(left[0], left[1], tuple(areas), _limits(sides, families))
+
+
+def _inverted(sides: tuple[Sequence[Item], Sequence[Item]], scale: float) -> KeptArea | None:
+    """Drawings of one colour that are a sign, and a plate that it is cut out of."""
+    items = [item for side in sides for item in side]
+    if len(items) > MOST_AREAS or not all(item.plain for item in items):
+        return None
+    if any(np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items):
+        return None
+    tracks = inverted_tracks(sides, scale)
+    if tracks is None:
+        return None
+    first, second = (
+        max(side, key=lambda item: round(item.enclosed.area / scale**2, 9)) for side in sides
+    )
+    return KeptArea(_by_winding(first), _by_winding(second), tracks)
+
+
+def _by_winding(item: Item) -> Item:
+    """An item of which what runs against what it lies on is cut out of that."""
+    return replace(item, cut=True, style=replace(item.style, fill_rule="nonzero"))
 
 
 def _limits(
@@ -271,12 +296,18 @@ def _look(
 def _divides(looked: _Looked, reach: float) -> bool:
     """Whether one area comes apart into several, or back, with nothing but gaps between them.
 
-    It does so as a cell: nothing is clipped from between what then stands as if it always had.
+    It does so as a cell: nothing is clipped from between what then stands as if it always had. But a
+    slot is: opened all along at once it begins as a hair.
     """
+    import shapely
+
     sides = sorted(looked.items, key=len)
     if looked.bars or len(sides[0]) != 1 or len(sides[1]) < 2:
         return False
     drawn = sides[0][0].drawn
+    left = drawn.difference(shapely.union_all([item.drawn for item in sides[1]]))
+    if slot_of(left.buffer(-reach, cap_style="flat", join_style="mitre")) is not None:
+        return False
     if sum(item.drawn.difference(drawn).area for item in sides[1]) > reach * drawn.length:
         return False
     (whole,), parts = ([Region(item.outer, item.holes) for item in side] for side in sides)

@@ -12,10 +12,18 @@ from shapetween.geometry.polygon import cross
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["Bar", "bar_of"]
+__all__ = ["Bar", "bar_of", "slot_of"]
 
 #: Least ratio of the sides of a bar, and share of its rectangle that it fills.
 SLENDER, FILLED = 4.0, 0.75
+
+#: Least ratio of the sides of a slot that is cut from one end to the other. Smaller, and a square
+#: that becomes two halves is sawn in two; larger, and an eye's slash opens as a crack.
+SLOT = 5.0
+
+#: Least part of a slash's direction along either axis. With none, the gap under a lid is sawn from
+#: one side, where both sides are alike; much more, and steep slashes are none.
+OBLIQUE = 0.3
 
 #: How far from a bar's middle line a piece may reach to be clipped with it, in halves of its width:
 #: the gaps beside a slash are up to as wide as the slash.
@@ -93,3 +101,12 @@ def bar_of(area: "shapely.Geometry", comes: bool = True, slender: float = SLENDE
         ahead = -ahead
     middle, half = corners[:4].mean(axis=0), float(lengths[1 - long] / 2)
     return Bar(middle, ahead, half, float(lengths[long]), comes)
+
+
+def slot_of(areas: "shapely.Geometry") -> Bar | None:
+    """The oblique slot that areas are parts of, on one line; None of others."""
+    hull = areas.convex_hull
+    if hull.geom_type != "Polygon" or hull.is_empty:
+        return None
+    bar = bar_of(hull, slender=SLOT)
+    return bar if bar is not None and np.abs(bar.ahead).min() > OBLIQUE else None

@@ -11,7 +11,7 @@ from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped, extent_along
-from shapetween.scene.kept.bars import Bar, bar_of
+from shapetween.scene.kept.bars import Bar, bar_of, slot_of
 from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
@@ -113,6 +113,8 @@ def tracks_of_pieces(
             continue
         closed = piece.free.length < OPEN * piece.area.length and not len(piece.area.interiors)
         (holes if closed else others).append(piece)
+    slivers = [p for p in others if 2 * p.area.area < reach * p.area.length]
+    others = [p for p in others if all(p is not own for own in slivers)]
     groups, rest = _beside(others, bars)
     if not any(groups):
         bars = _common_bar(others, laid.kept)
@@ -133,7 +135,7 @@ def tracks_of_pieces(
     tracks: list[CurveTrack] = [_blend(ring.curves, laid.at_last(ring)) for ring in rings]
     for bar, group in zip(bars, groups, strict=True):
         tracks += _along(bar, group, laid)
-    tracks += [_at_contact(piece, laid) for piece in rest]
+    tracks += [_at_contact(piece, laid) for piece in (*rest, *slivers)]
     return (*tracks, *openings)
 
 
@@ -176,17 +178,20 @@ def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
 def _common_bar(pieces: Sequence[Piece], kept: "shapely.Geometry") -> list[Bar]:
     """The bar that several pieces are parts of together, as those of a slash are.
 
-    They are those beside it too, or the slash alone: what both have may be some of that.
+    They are those beside it too, or the slash alone: what both have may be some of that. Or they
+    are a slot that nothing is in.
     """
     import shapely
 
     sides = [[p for p in pieces if p.comes == comes] for comes in (False, True)]
-    if not all(sides):
-        return []
     ratios = [
         sum(p.free.length for p in side) / max(sum(p.contact.length for p in side), 1e-300)
         for side in sides
     ]
+    if not all(sides):
+        gaps = shapely.union_all([piece.area for piece in pieces])
+        slot = slot_of(gaps) if max(ratios) <= GAP else None
+        return [] if slot is None else [replace(slot, comes=not pieces[0].comes)]
     if min(ratios) <= GAP:
         together = shapely.union_all([piece.area for piece in pieces])
         bar = bar_of(together.convex_hull)
