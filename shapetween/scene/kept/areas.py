@@ -296,8 +296,8 @@ def _look(
 def _divides(looked: _Looked, reach: float) -> bool:
     """Whether one area comes apart into several, or back, with nothing but gaps between them.
 
-    It does so as a cell: nothing is clipped from between what then stands as if it always had. But a
-    slot is: opened all along at once it begins as a hair.
+    It does so as a cell: nothing is clipped from between what then stands as if it always had. But
+    a slot is: opened all along at once it begins as a hair.
     """
     import shapely
 
