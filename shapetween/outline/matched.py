@@ -11,7 +11,7 @@ from shapetween.geometry.circlemap import CircleMap, turn, wrapped
 from shapetween.geometry.polygon import cross
 from shapetween.model.arclength import ArcLength
 
-__all__ = ["MatchedOutlines", "Pieces", "Samples", "cut_curves"]
+__all__ = ["MatchedOutlines", "Pieces", "Samples", "cut_curves", "kinks_of"]
 
 #: Share of the length within which a joint of one outline is taken for a joint of the other.
 #: Smaller leaves corners matched beside corners: slivers and bevels; larger joins unlike ones.
@@ -196,7 +196,7 @@ class MatchedOutlines:
 
 def _with_anchors(places: ArcLength, anchors: Floats) -> tuple[Floats, Floats]:
     """Anchors, then all other joints of an outline, and the kink at each of them."""
-    joints, kinks = places.joints, _kinks(places)
+    joints, kinks = places.joints, kinks_of(places)
     apart = np.abs(wrapped(joints[:, None] - anchors))
     same = apart < SNAP_EXACT
     # An anchor on a joint is that joint, to the last digit, so that no sliver is cut beside it.
@@ -207,7 +207,7 @@ def _with_anchors(places: ArcLength, anchors: Floats) -> tuple[Floats, Floats]:
     return np.append(place, joints[rest]), np.append(np.where(on, kinks[nearest], 0.0), kinks[rest])
 
 
-def _kinks(places: ArcLength) -> Floats:
+def kinks_of(places: ArcLength) -> Floats:
     """Turn of the outline at the start of each of its curves, (N,), in (-pi, pi]."""
     leaving, reaching = end_tangents(places.outline.curves)
     before = np.roll(reaching, 1, axis=0)

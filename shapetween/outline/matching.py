@@ -22,6 +22,7 @@ from shapetween.outline.body import RingMatch
 from shapetween.outline.coarse import Coarse, coarse
 from shapetween.outline.detail import DetailedOutlines
 from shapetween.outline.matched import MatchedOutlines
+from shapetween.outline.settling import settled
 
 __all__ = ["CORNERS", "match_hole", "match_outer", "next_matches", "unmeshed", "upright_of"]
 
@@ -230,13 +231,7 @@ def unmeshed(
     hole, upright : bool
         As of `RingMatch`.
     """
-    outlines = MatchedOutlines(
-        *places,
-        matching.u,
-        matching.v,
-        anchors=anchors if len(anchors) else None,
-        exact=matching.affine is not None,
-    )
+    outlines = _outlines(places, matching, anchors if len(anchors) else None)
     points = outlines.samples(samples)
     # Two nodes far apart are enough to start from.
     apart = np.linalg.norm(points.source - points.source[0], axis=1)
@@ -244,6 +239,17 @@ def unmeshed(
     ends = places[0].outline, places[1].outline
     found = "hole" if hole else "preview"
     return RingMatch(*ends, hole, matching, outlines, points, kept, None, found, upright)
+
+
+def _outlines(
+    places: tuple[ArcLength, ArcLength], matching: Correspondence, anchors: Floats | None
+) -> MatchedOutlines:
+    """Both outlines read as one, as they settle; with anchors, as it was asked for."""
+    u, v = matching.u, matching.v
+    exact = matching.affine is not None
+    if not exact and anchors is None:
+        u, v = settled(*places, u, v)
+    return MatchedOutlines(*places, u, v, anchors=anchors, exact=exact)
 
 
 def upright_of(matching: Correspondence) -> Correspondence:
@@ -264,9 +270,7 @@ def _meshed(
     with observe("match"):
         places = arc_length(source), arc_length(target)
         anchors = _anchors(*places, pins) if len(pins) else None
-        outlines = MatchedOutlines(
-            *places, matching.u, matching.v, anchors=anchors, exact=matching.affine is not None
-        )
+        outlines = _outlines(places, matching, anchors)
         samples = outlines.samples(SAMPLES)
     with observe("mesh"):
         mesh = mesh_matched(samples.source, samples.target, samples.joints, quads)
