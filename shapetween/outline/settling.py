@@ -21,7 +21,7 @@ __all__ = ["settled"]
 #: widen; larger takes legs for detail.
 SCALE = 0.02
 
-#: Scale of the ground that limbs stand on, and over what progress is told, as shares of the outline.
+#: Scale of the ground that limbs stand on, and over what progress is told, shares of the outline.
 #: Ground of a smaller scale climbs limbs; one of a larger cuts across bends, which then are drawn
 #: together; told more closely, progress leaps at every corner.
 GROUND, SMOOTH = 0.05, 0.004
@@ -76,7 +76,7 @@ def _progress(points: Complex) -> Floats:
     steps, ground = way(points), way(smoothed(points, GROUND))
     size = np.abs(ground)
     along = (steps * ground.conj()).real / np.where(size > 0, size, 1.0)
-    return np.maximum(smoothed(along, SMOOTH).real, LEAST * np.abs(steps).mean())
+    return np.asarray(np.maximum(smoothed(along, SMOOTH).real, LEAST * np.abs(steps).mean()))
 
 
 def _shared_out(at: Floats, share: Floats, progress: Floats) -> Floats:
