@@ -110,9 +110,7 @@ def test_a_disc_without_corners_settles_too() -> None:
     ("name", "value"),
     [("SCALE", 0.004), ("REACH", 0.5), ("LEAST", 1.0), ("GROUND", 0.02), ("SMOOTH", 0.02)],
 )
-def test_otherwise_it_is_a_tooth(
-    monkeypatch: pytest.MonkeyPatch, name: str, value: float
-) -> None:
+def test_otherwise_it_is_a_tooth(monkeypatch: pytest.MonkeyPatch, name: str, value: float) -> None:
     usual = spine_width()[1]
     monkeypatch.setattr(settling, name, value)
     assert spine_width()[1] > 1.3 * usual
