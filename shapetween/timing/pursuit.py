@@ -57,7 +57,7 @@ class Pursuit:
 
     def add(self) -> None:
         """Choose the column that leaves least."""
-        self.chosen.append(self._best(self.chosen)[0])
+        self.chosen.append(_first_best(self._gains(self.chosen), self.chosen))
 
     def exchange(self) -> bool:
         """Choose each column anew with the others given, twice; whether anything changed."""
@@ -65,8 +65,9 @@ class Pursuit:
         for _ in range(2):
             for place in range(len(self.chosen)):
                 others = self.chosen[:place] + self.chosen[place + 1 :]
-                best, gain = self._best(others)
-                if gain > self._gain(others, self.chosen[place]) * (1 + _alike(others)):
+                gains = self._gains(others)
+                best = _first_best(gains, others)
+                if gains[best] > gains[self.chosen[place]] * (1 + _alike(others)):
                     self.chosen[place] = best
         return before != self.chosen
 
@@ -88,14 +89,10 @@ class Pursuit:
         gains = ((library.T @ values) ** 2).sum(axis=1)
         return np.asarray(gains * known / np.where(known, size, 1.0))
 
-    def _best(self, others: list[int]) -> tuple[int, float]:
-        gains = self._gains(others)
-        # Of those that are as good, the first, whatever the rounding.
-        best = int((gains >= gains.max() * (1 - _alike(others))).argmax())
-        return best, float(gains[best])
 
-    def _gain(self, others: list[int], column: int) -> float:
-        return float(self._gains(others)[column])
+def _first_best(gains: Floats, others: list[int]) -> int:
+    """Of the columns that are as good as the best, the first, whatever the rounding."""
+    return int((gains >= gains.max() * (1 - _alike(others))).argmax())
 
 
 def _alike(others: list[int]) -> float:
