@@ -156,7 +156,8 @@ class _Sides:
     def _run(self, sides: list[int], ways: Collection[int]) -> Run:
         if not ways:
             return Run(sides[0])
-        way = min(ways, key=lambda w: (sum(self.ways[side][w] for side in sides), w))
+        # Two arcs that are one are equally near; rounded, as else the last digit decides.
+        way = min(ways, key=lambda w: (round(sum(self.ways[side][w] for side in sides), 6), w))
         arc = way // 2
         curve = int(self.chords.curve[np.searchsorted(self.chords.arc, arc)])
         start, end = (self.t[p, arc] for p in (sides[0], int(self.after[sides[-1]])))

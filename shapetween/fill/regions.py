@@ -36,6 +36,10 @@ RETRACED = 1e-3
 #: Share of the whole area below which a ring shows nothing.
 SLIVER = 1e-9
 
+#: Steps of the largest ring's size to which rings are rounded before they are cut by each other.
+#: Finer, and units are seen; coarser, and what is shown is moved.
+GRID = 2.0**36
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Region:
@@ -92,7 +96,7 @@ def regions_of(shape: Shape, name: str) -> tuple[tuple[Region, ...], tuple[Notic
     crossing = _crossing(polygons, chords.polylines)
     if crossing is None:
         return _largest_first(_nested(rings, [p for p in polygons if p], rule)), ()
-    found = _resolved(chords, rule, name)
+    found = _resolved(rings, rule, name)
     if not found:
         raise OutlineError(f"{name}: its fill rule shows nothing of it")
     x, y = crossing
@@ -209,15 +213,26 @@ def _nested(
     return [Region(clockwise[k], tuple(found)) for k, found in holes.items()]
 
 
-def _resolved(chords: Chords, rule: FillRule, name: str) -> list[Region]:
-    """Regions that crossing rings show."""
+def _resolved(rings: list[Outline], rule: FillRule, name: str) -> list[Region]:
+    """Regions that crossing rings show.
+
+    They are found in a frame of their own, on a grid: where curves all but touch the last digit
+    decides where they meet, which a unit must not.
+    """
+    size = max(float(np.max(ring.box[1] - ring.box[0])) for ring in rings)
+    own = [Outline(np.round(ring.curves / size * GRID) / GRID, ring.closed) for ring in rings]
+    chords = chords_of(own)
     area = filled_area(chords.polylines, rule)
     if area is None:
         raise OutlineError(f"{name}: its outline crosses itself too often to be told apart")
     low, high = np.reshape(area.bounds, (2, 2))
     least = SLIVER * float(np.max(high - low)) ** 2
+    back = np.array([[size, 0.0, 0.0], [0.0, size, 0.0]])
     return [
-        Region(outer, tuple(hole.reversed() for hole in holes if -hole.area > least))
+        Region(
+            outer.transformed(back),
+            tuple(hole.reversed().transformed(back) for hole in holes if -hole.area > least),
+        )
         for outer, *holes in traced(area, chords)
         if outer.area > least
     ]

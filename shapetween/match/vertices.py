@@ -62,6 +62,7 @@ def salient_vertices(points: Points) -> Vertices:
         for beside in (least - 1, least % len(place)):
             relevance[beside] = abs(_relevance(place, beside))
     signed = np.array([_relevance(place, k) for k in range(len(place))])
+    signed[np.abs(signed) <= EQUAL] = 0.0  # on a straight side; rounding has no say which way
     weight = np.sqrt(np.abs(signed))
     return Vertices(np.array(index, dtype=np.intp), weight / weight.mean(), signed > 0)
 

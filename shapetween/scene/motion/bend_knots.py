@@ -10,7 +10,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
 from shapetween.scene.motion.bends import Bends, bends_of
-from shapetween.scene.places import Places
+from shapetween.scene.places import SAME, Places
 
 __all__ = ["along_knots", "half_knots", "ring_knots"]
 
@@ -260,7 +260,8 @@ def _through(first: _Run, second: _Run) -> tuple[Floats, Floats, float]:
         # The last corner is the first one again: it begins where that did.
         both = both[:, :-1]
         both[:, -1] = both[:, 0] + 1.0
-    both = both[:, np.append(True, (np.diff(both, axis=1) > 0).any(axis=0))]
+    # Knots that are one but for rounding are one.
+    both = both[:, np.append(True, (np.diff(both, axis=1) > SAME).any(axis=0))]
     return both[0], both[1], cost
 
 
