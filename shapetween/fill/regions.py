@@ -13,7 +13,7 @@ from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
 from shapetween.base.ranking import comparable
 from shapetween.boolean.area import filled_area
-from shapetween.boolean.chords import Chords, chords_of
+from shapetween.boolean.chords import chords_of
 from shapetween.boolean.trace import traced
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
@@ -38,7 +38,7 @@ SLIVER = 1e-9
 
 #: Steps of the largest ring's size to which rings are rounded before they are cut by each other.
 #: Finer, and units are seen; coarser, and what is shown is moved.
-GRID = 2.0**36
+GRID = 2.0**42
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -172,8 +172,11 @@ def _crossing(
     cross = np.flatnonzero((common > NEGLIGIBLE * least) & ~nested)
     if not len(cross):
         return None
-    meeting = shapely.intersection(one[cross[0]].exterior, other[cross[0]].exterior)
-    x, y = shapely.get_coordinates(meeting)[0].tolist()
+    borders = one[cross[0]].exterior, other[cross[0]].exterior
+    # One that is drawn twice may meet itself nowhere, but lie just beside itself.
+    meeting = shapely.shortest_line(*borders)
+    crossing = shapely.intersection(*borders)
+    x, y = shapely.get_coordinates(meeting if crossing.is_empty else crossing)[0].tolist()
     return x, y
 
 

@@ -13,6 +13,7 @@ from shapetween.geometry.bezier import flatten, line_curves
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import FillRule, Style
+from tests.match.shapes import rounded, star
 from tests.movements import circle
 
 
@@ -265,3 +266,33 @@ def test_a_small_lens_beside_a_large_ring_is_a_piece() -> None:
     large, small = regions(square(0, 0, 10), Outline(lens))
     assert large.area == pytest.approx(100)
     assert 0 < small.area < 1e-6
+
+
+def nearly_twice(seed: int) -> tuple[Outline, ...]:
+    """A flower drawn twice, the second time a little off, and another."""
+    one = star(seed, 5 + seed % 9)
+    rng = np.random.default_rng(seed)
+    off = rng.uniform(-1, 1, one.shape) * 10.0 ** -(3 + seed % 5)
+    two = one * (1 + 2e-5 * (seed % 7)) + off * (rng.random(len(one)) > 0.4)[:, None]
+    return tuple(rounded(points) for points in (one, two, -one[::-1] * 0.9))
+
+
+@pytest.mark.parametrize("unit", [1e-6, 3e-3, 1e6])
+def test_what_crossing_rings_show_has_no_unit(unit: float) -> None:
+    """Where curves all but touch, the last digit would decide where they meet."""
+
+    def shown(unit: float) -> list[list[int]]:
+        matrix = np.array([[unit, 0.0, 0.0], [0.0, unit, 0.0]])
+        own = (ring.transformed(matrix) for ring in nearly_twice(118))
+        found = regions(*own, rule="evenodd")
+        return [[len(ring.curves) for ring in (r.outer, *r.holes)] for r in found]
+
+    assert shown(unit) == shown(1.0)
+
+
+def test_rings_that_lie_just_beside_each_other_are_outlined_anew() -> None:
+    """As large as one another, but meeting nowhere: one outline drawn twice."""
+    inner = square(0.00001, 0.00001, 0.99998)
+    _, notices = regions_of(Shape((square(0, 0, 1), inner), Style()), "shape")
+    assert [notice.kind for notice in notices] == ["outlined-anew"]
+    assert regions(*nearly_twice(2), rule="evenodd")
