@@ -38,7 +38,7 @@ SLIVER = 1e-9
 
 #: Steps of the largest ring's size to which rings are rounded before they are cut by each other.
 #: Finer, and units are seen; coarser, and what is shown is moved.
-GRID = 2.0**42
+GRID = 2.0**38
 
 
 @dataclass(frozen=True, slots=True, eq=False)
