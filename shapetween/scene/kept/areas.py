@@ -4,7 +4,7 @@ A lid that opens in a box, a badge on a bell, the slash through an eye: a person
 which something is done. So the outlines are not matched as wholes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -30,6 +30,7 @@ from shapetween.scene.kept.holes import (
 )
 from shapetween.scene.kept.inverted import inverted_tracks
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
+from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
 if TYPE_CHECKING:
@@ -106,9 +107,9 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     """
     sides = (first, second)
     scale = _scale(sides)
-    turned = None if groups else _inverted(sides, scale)
+    turned = None if groups else _shown_anew(sides, inverted_tracks, scale)
     if turned is not None:
-        return Kept((turned.first,), (turned.second,), (turned,))
+        return turned
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
     families = _families(sides)
@@ -136,6 +137,10 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
             now[side].update(dict.fromkeys(own))
             now[side][k] = marked[side]
         areas.append(KeptArea(marked[0], marked[1], tracks))
+    every = all(len(own) == len(side) for own, side in zip(now, sides, strict=True))
+    crossed = None if (areas and every) or groups else _shown_anew(sides, crossed_tracks, scale)
+    if crossed is not None:
+        return crossed
     left = [
         tuple(i for i in (changed.get(k, item) for k, item in enumerate(side)) if i is not None)
         for changed, side in zip(now, sides, strict=True)
@@ -143,20 +148,25 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
     return Kept(left[0], left[1], tuple(areas), _limits(sides, families))
 
 
-def _inverted(sides: tuple[Sequence[Item], Sequence[Item]], scale: float) -> KeptArea | None:
-    """Drawings of one colour that are a sign, and a plate that it is cut out of."""
+def _shown_anew(
+    sides: tuple[Sequence[Item], Sequence[Item]],
+    find: Callable[[tuple[Sequence[Item], Sequence[Item]], float], tuple[CurveTrack, ...] | None],
+    scale: float,
+) -> Kept | None:
+    """All of two drawings of one colour as one area with the tracks that are found for them."""
     items = [item for side in sides for item in side]
     if len(items) > MOST_AREAS or not all(item.plain for item in items):
         return None
     if any(np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items):
         return None
-    tracks = inverted_tracks(sides, scale)
+    tracks = find(sides, scale)
     if tracks is None:
         return None
     first, second = (
-        max(side, key=lambda item: round(item.enclosed.area / scale**2, 9)) for side in sides
+        _by_winding(max(side, key=lambda item: round(item.enclosed.area / scale**2, 9)))
+        for side in sides
     )
-    return KeptArea(_by_winding(first), _by_winding(second), tracks)
+    return Kept((first,), (second,), (KeptArea(first, second, tracks),))
 
 
 def _by_winding(item: Item) -> Item:

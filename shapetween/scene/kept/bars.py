@@ -77,6 +77,14 @@ class Bar:
         return float(strips.intersection(area).area / strips.area)
 
     @property
+    def around(self) -> "shapely.Geometry":
+        """Its line with what may be cleared beside it."""
+        import shapely
+
+        ends = self.centre + np.array([[-0.5], [0.5]]) * self.length * self.ahead
+        return shapely.LineString(ends).buffer(BESIDE * self.half)
+
+    @property
     def ends(self) -> tuple[float, float]:
         """Where it starts and ends along its direction."""
         middle = float(self.centre @ self.ahead)
