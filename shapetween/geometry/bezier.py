@@ -54,7 +54,7 @@ def evaluate(curves: Curves, t: Floats) -> Points:
 def bernstein(t: Floats, axis: int = -1) -> Floats:
     """Weights of the four control points, on an axis of their own, at parameters (...)."""
     s = 1 - t
-    return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=axis)
+    return _beside((s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t), axis)
 
 
 def combined(weights: Floats, points: Points) -> Points:
@@ -67,7 +67,7 @@ def combined(weights: Floats, points: Points) -> Points:
     """
     total = weights[..., 0, None] * points[..., None, 0, :]
     for k in range(1, weights.shape[-1]):
-        total = total + weights[..., k, None] * points[..., None, k, :]
+        total += weights[..., k, None] * points[..., None, k, :]
     return np.asarray(total)
 
 
@@ -79,7 +79,18 @@ def derivatives(curves: Curves, t: Floats) -> Points:
 def velocity_weights(t: Floats, axis: int = -1) -> Floats:
     """Weights of thrice the steps between control points, as `bernstein` has those of points."""
     s = 1 - t
-    return np.stack([s * s, 2 * s * t, t * t], axis=axis)
+    return _beside((s * s, 2 * s * t, t * t), axis)
+
+
+def _beside(weights: tuple[Floats, ...], axis: int) -> Floats:
+    """Weights on an axis of their own; what ``np.stack`` does, without its checks."""
+    shape = list(weights[0].shape)
+    shape.insert(axis % (len(shape) + 1), len(weights))
+    found = np.empty(shape)
+    rows = np.moveaxis(found, axis, 0)
+    for k, weight in enumerate(weights):
+        rows[k] = weight
+    return found
 
 
 def flatten(curves: Curves, pieces: int | Index) -> Points:

@@ -79,7 +79,9 @@ class LinearMaps:
 
     def __call__(self, vectors: Complex) -> Complex:
         """Images of vectors, whose shape the maps' own is to fit."""
-        return np.asarray(self.a * vectors + self.b * vectors.conj())
+        images = np.asarray(self.a * vectors)
+        images += self.b * vectors.conj()
+        return images
 
     def __getitem__(self, index: Any) -> "LinearMaps":
         """Some of the stack, by whatever an array may be indexed with."""

@@ -27,6 +27,8 @@ LEAST = 1e-3
 #: Parameters at which the distance of a piece from the whole is looked at.
 LOOKED = np.array([0.25, 0.5, 0.75, 1.0])[:, None, None]
 
+_ON_PIECE, _VELOCITIES = bernstein(LOOKED, 0), velocity_weights(LOOKED, 0)
+
 #: What counts of a distance along the curve, which hardly anybody sees. At 1 half as many curves
 #: merge; at 0 a curve may pass its own end and come back.
 ALONG = 0.25
@@ -64,68 +66,93 @@ def merged_curves(
     ring = np.repeat(np.arange(len(rings)), rings)
     off = np.zeros(curves.shape[:2])
     held = _by_coordinate(curves)
+    # The curves that are left, in order, and of all but the last whether the next is of its ring.
+    left = np.arange(len(ring))
+    together = ring[1:] == ring[:-1]
     # Most neighbours are seen at the start not to be one, and are none until one of them changes.
-    possible = np.append(ring[1:] == ring[:-1], np.zeros(len(ring[:1]), bool))
+    possible = together.copy()
     pairs = np.flatnonzero(possible)
-    possible[pairs] = _all_near(held, off, pairs, SHARES[-1] * allowed, slice(1))
+    possible[pairs] = _all_near(held, off, (pairs, pairs + 1), SHARES[-1] * allowed, slice(1))
     for share in SHARES:
-        tried = possible.copy()
-        while len(ring) > 1:
-            first = _disjoint(_near(held, off, np.flatnonzero(tried), share * allowed))
-            if not len(first):
+        tried = np.flatnonzero(possible)
+        while len(tried):
+            near, whole, total = _near(held, off, (left[tried], left[tried + 1]), share * allowed)
+            some = _disjoint(tried[near])
+            if not len(some):
                 break
-            whole, away = _whole(held[..., first], held[..., first + 1])
-            off[:, first] = away + np.maximum(off[:, first], off[:, first + 1])
-            held = held.copy()
-            held[..., first] = whole
-            changed = np.zeros(len(ring), bool)
+            first = tried[near][some]
+            held[..., left[first]], off[:, left[first]] = whole[..., some], total[:, some]
+            changed = np.zeros(len(left), bool)
             changed[first] = True
-            kept = np.ones(len(ring), bool)
+            kept = np.ones(len(left), bool)
             kept[first + 1] = False
-            held, off, ring, changed = held[..., kept], off[:, kept], ring[kept], changed[kept]
+            left, changed = left[kept], changed[kept]
+            together = ring[left[1:]] == ring[left[:-1]]
             # Neighbours that were not one, and have not changed since, are none now.
-            together = np.append(ring[1:] == ring[:-1], False)
-            tried = (changed | np.append(changed[1:], False)) & together
-            possible = (possible[kept] | tried) & together
-    merged = np.moveaxis(held, (0, 1), (2, 3))
-    return np.ascontiguousarray(merged), tuple(np.bincount(ring, minlength=len(rings)).tolist())
+            again = (changed[:-1] | changed[1:]) & together
+            possible = (np.append(possible, False)[kept][:-1] | again) & together
+            tried = np.flatnonzero(again)
+    merged = np.moveaxis(held[..., left], (0, 1), (2, 3))
+    counts = np.bincount(ring[left], minlength=len(rings)).tolist()
+    return np.ascontiguousarray(merged), tuple(counts)
 
 
 def _by_coordinate(curves: Curves) -> Floats:
-    """Curves (F, N, 4, 2) as (4, 2, F, N), in which arithmetic runs through long rows."""
-    return np.ascontiguousarray(np.moveaxis(curves, (2, 3), (0, 1)))
+    """A copy of curves (F, N, 4, 2) as (4, 2, F, N), in which arithmetic runs through long rows."""
+    return np.array(np.moveaxis(curves, (2, 3), (0, 1)), order="C")
 
 
-def _near(held: Floats, off: Floats, pairs: Index, allowed: Floats) -> Index:
-    """Those of some pairs, each named by its first curve, that are near one curve at all times."""
+def _near(
+    held: Floats, off: Floats, pairs: tuple[Index, Index], allowed: Floats
+) -> tuple[Index, Floats, Floats]:
+    """Which of some pairs, first and second curves, are near one curve at all times.
+
+    And those curves, (4, 2, F, K), and how far they are off, (F, K).
+    """
     some = np.unique(np.linspace(0, len(off) - 1, FIRST_LOOK).round().astype(np.intp))
-    for look in (slice(1), some, slice(None)):
-        pairs = pairs[_all_near(held, off, pairs, allowed, look)]
-    return pairs
+    found = np.arange(len(pairs[0]))
+    for look in (slice(1), some):
+        here = pairs[0][found], pairs[1][found]
+        found = found[_all_near(held, off, here, allowed, look)]
+    step = max(1, AT_ONCE // len(off))
+    kept: list[tuple[Index, Floats, Floats]] = []
+    for k in range(0, max(len(found), 1), step):
+        own = found[k : k + step]
+        whole, total = _together(held, off, (pairs[0][own], pairs[1][own]))
+        near = (total <= allowed[:, None]).all(axis=0)
+        kept.append((own[near], whole[..., near], total[:, near]))
+    indices, wholes, totals = zip(*kept, strict=True)
+    return np.concatenate(indices), np.concatenate(wholes, axis=-1), np.concatenate(totals, axis=1)
 
 
 def _all_near(
-    held: Floats, off: Floats, pairs: Index, allowed: Floats, look: slice | Index
+    held: Floats, off: Floats, pairs: tuple[Index, Index], allowed: Floats, look: slice | Index
 ) -> Mask:
     """Whether pairs are near one curve at some of the times."""
     held, off, allowed = held[:, :, look], off[look], allowed[look]
     step = max(1, AT_ONCE // len(off))
-    near = [_together(held, off, pairs[k : k + step], allowed) for k in range(0, len(pairs), step)]
-    return np.concatenate([np.zeros(0, bool), *near])
+    near = np.zeros(len(pairs[0]), bool)
+    for k in range(0, len(near), step):
+        _, total = _together(held, off, (pairs[0][k : k + step], pairs[1][k : k + step]))
+        near[k : k + step] = (total <= allowed[:, None]).all(axis=0)
+    return near
 
 
-def _together(held: Floats, off: Floats, pairs: Index, allowed: Floats) -> Mask:
-    _, away = _whole(held[..., pairs], held[..., pairs + 1])
-    total = away + np.maximum(off[:, pairs], off[:, pairs + 1])
-    return np.asarray((total <= allowed[:, None]).all(axis=0))
+def _together(held: Floats, off: Floats, pairs: tuple[Index, Index]) -> tuple[Floats, Floats]:
+    """The curves that pairs are pieces of, (4, 2, F, K), and how far off those are, (F, K)."""
+    first, second = pairs
+    whole, away = _whole(held[..., first], held[..., second])
+    return whole, away + np.maximum(off[:, first], off[:, second])
 
 
 def _disjoint(pairs: Index) -> Index:
-    """Of pairs k, k + 1 the first, and each next that shares nothing with the one before."""
+    """Which of pairs k, k + 1 are the first, or share nothing with the last one that is."""
     chosen: list[int] = []
-    for pair in pairs.tolist():
-        if not chosen or pair > chosen[-1] + 1:
-            chosen.append(pair)
+    last = -2
+    for place, pair in enumerate(pairs.tolist()):
+        if pair > last + 1:
+            chosen.append(place)
+            last = pair
     return np.array(chosen, np.intp)
 
 
@@ -150,8 +177,8 @@ def _whole(first: Floats, second: Floats) -> tuple[Floats, Floats]:
 
 def _distance(whole: Floats, shares: Floats, piece: Floats) -> Floats:
     """The greatest distance of pieces from their shares (L, F, K) of the whole, (F, K)."""
-    away = _summed(bernstein(shares, 0), whole) - _summed(bernstein(LOOKED, 0), piece)
-    tangents = _summed(velocity_weights(LOOKED, 0), 3 * np.diff(piece, axis=0))
+    away = _summed(bernstein(shares, 0), whole) - _summed(_ON_PIECE, piece)
+    tangents = _summed(_VELOCITIES, 3 * np.diff(piece, axis=0))
     speed = _length(tangents)
     across = np.abs(away[0] * tangents[1] - away[1] * tangents[0])
     far = _length(away)

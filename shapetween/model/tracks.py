@@ -58,7 +58,9 @@ def style_tracks(styles: Sequence[Style], *, by_words: bool = False) -> list[Sty
     fills = _of_one_sort([style.fill for style in styles])
     strokes = _strokes([style.stroke for style in styles])
     whole = [
-        replace(style, fill=fill, stroke=stroke)
+        style
+        if style.fill is fill and style.stroke is stroke
+        else replace(style, fill=fill, stroke=stroke)
         for style, fill, stroke in zip(styles, fills, strokes, strict=True)
     ]
     sorts = [(_sort(style), _words(style) if by_words else None) for style in whole]

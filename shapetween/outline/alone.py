@@ -15,7 +15,7 @@ from shapetween.outline.matching import next_matches
 from shapetween.outline.parting import parted
 from shapetween.outline.seen import NOT_SEEN, seen_crossings
 from shapetween.outline.straight import straightened
-from shapetween.outline.unfold import MOST_NODES, TOLERANCES, unfolded
+from shapetween.outline.unfold import DETAIL_TIMES, MOST_NODES, TOLERANCES, unfolded
 
 __all__ = ["looked_at", "moved_alone"]
 
@@ -84,7 +84,8 @@ def looked_at(body: Carried) -> Carried:
     """The body with what is seen of its crossings at the times at which it was looked at."""
     if not body.crossing:
         return body
-    t = np.linspace(0, 1, CHECKED_TIMES)[1:-1]
+    coarse = any(ring.coarse for ring in body.nodes.rings)
+    t = np.linspace(0, 1, DETAIL_TIMES if coarse else CHECKED_TIMES)[1:-1]
     vertices = body.path.vertices(t)
     crossing = np.flatnonzero(~body.nodes.simple(t, vertices))
     some = crossing[np.unique(np.linspace(0, len(crossing) - 1, LOOKED).round().astype(np.intp))]

@@ -36,7 +36,7 @@ STRAIGHT = 1e-3
 COINCIDENT = 1e-9
 
 #: Curves of all frames that are worked on at once; more cost memory and are no quicker.
-AT_ONCE = 50_000
+AT_ONCE = 25_000
 
 #: Greatest ratio of stretches of the affine map that offsets follow; past it the fit between two
 #: unlike shapes says more about their outlines' places than about a common deformation.
@@ -180,7 +180,8 @@ class Carrier:
             moved = [squeezed.after(local) for local in moved]
         result = np.zeros((len(t), self.count, 4, 2))
         # So few frames at once that what is on the way needs little memory.
-        for frames in np.array_split(np.arange(len(t)), 1 + len(t) * self.count // AT_ONCE):
+        few = 1 + min(len(t), len(t) * self.count // AT_ONCE)
+        for frames in np.array_split(np.arange(len(t)), few):
             some = self._along(places[frames])
             for local, offset in zip(moved, self._offsets, strict=True):
                 some += local[frames][:, self._span, None](offset)

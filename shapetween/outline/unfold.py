@@ -24,7 +24,7 @@ from shapetween.outline.carry import affine_between
 from shapetween.outline.nodes import outline_nodes
 from shapetween.outline.quad_target import QuadJacobianTarget
 
-__all__ = ["MOST_NODES", "TOLERANCES", "bare", "unfolded"]
+__all__ = ["DETAIL_TIMES", "MOST_NODES", "TOLERANCES", "bare", "unfolded"]
 
 #: Greatest distance of an outline from its nodes' polygon, as a share of the root of the area:
 #: the first is enough for most pairs, finer ones cost time and are for details that cross.

@@ -17,7 +17,7 @@ from shapetween.scene.costs import (
     same_things,
 )
 from shapetween.scene.evidence import Evidence, twins_cost
-from shapetween.scene.relations import Scene
+from shapetween.scene.relations import Scene, colours_apart
 from shapetween.scene.sets import Ordered
 from shapetween.scene.torn import torn
 
@@ -225,7 +225,7 @@ def alike_in_place(
     scale = (a.scale + b.scale) / 2
     near = (away < loose * SAME_PLACE * scale) & ~never
     near &= np.abs(np.log(a.sizes[:, None] / b.sizes)) < loose * SAME_SIZE
-    near &= np.abs(a.colours[:, None] - b.colours).sum(axis=-1) < SAME_COLOUR
+    near &= colours_apart(a.colours, b.colours) < SAME_COLOUR
     kinds = [np.array([(i.filled, i.closed) for i in s.items]) for s in (a, b)]
     near &= (kinds[0][:, None] == kinds[1]).all(axis=-1)
     taken = {i for i, _ in fixed}, {j for _, j in fixed}
@@ -252,7 +252,7 @@ def _nearly_same(a: Scene, b: Scene) -> Mask:
     away = np.linalg.norm(a.centres[:, None] - b.centres, axis=-1)
     near = away < HARDLY * np.minimum(a.sizes[:, None], b.sizes)
     near &= np.abs(np.log(a.sizes[:, None] / b.sizes)) < HARDLY
-    near &= np.abs(a.colours[:, None] - b.colours).sum(axis=-1) < SAME_COLOUR
+    near &= colours_apart(a.colours, b.colours) < SAME_COLOUR
     return np.asarray(near)
 
 

@@ -136,7 +136,8 @@ def _both(a: Scene, b: Scene) -> tuple[Floats, Floats]:
 
 
 def _apart(one: Floats, other: Floats) -> Floats:
-    return np.asarray(np.sqrt(((one[:, None] - other) ** 2).sum(axis=-1)))
+    columns = zip(one.T, other.T, strict=True)
+    return np.asarray(np.sqrt(sum((x[:, None] - y) ** 2 for x, y in columns)))
 
 
 def _place(a: Scene, b: Scene) -> Floats:
@@ -265,16 +266,18 @@ def relations_cost(a: Scene, b: Scene, now: Current) -> Floats:
     weights = np.exp(-np.clip(now.costs[kept], -2, 4)) * sizes[kept] / _scale(a, b)
     total = np.zeros((len(a.items), len(b.items)))
     weighed = np.full_like(total, DAMPED)
+    change, way = np.empty_like(total), np.empty_like(total)  # tables are large, and laid out once
     for i, j, own in zip(now.first[kept], now.second[kept], weights, strict=True):
         ways = [(s.centres - s.centres[k]) / s.scale for s, k in ((a, i), (b, j))]
-        x, y = (ways[0][:, None, k] - ways[1][:, k] for k in (0, 1))
-        change = np.sqrt(x * x + y * y)
-        change += TOUCH * (a.touching[:, i][:, None] != b.touching[:, j])
+        np.subtract(ways[0][:, :1], ways[1][:, 0], out=change)
+        np.subtract(ways[0][:, 1:], ways[1][:, 1], out=way)
+        np.sqrt(np.add(np.square(change, out=change), np.square(way, out=way), out=way), out=change)
+        np.add(change, TOUCH, out=change, where=a.touching[:, i][:, None] != b.touching[:, j])
         near = [np.sqrt(own / (NEAR + np.hypot(*way.T))) for way in ways]
-        weight = near[0][:, None] * near[1]
-        weight[i, :] = weight[:, j] = 0.0
-        total += weight * change
+        near[0][i] = near[1][j] = 0.0
+        weight = np.multiply(near[0][:, None], near[1], out=way)
         weighed += weight
+        total += np.multiply(weight, change, out=change)
     return np.asarray(RELATION * total / weighed)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask
 from shapetween.scene.forms import RoundedBox
-from shapetween.scene.relations import Scene, in_common
+from shapetween.scene.relations import Scene, colours_apart, in_common
 from shapetween.scene.sets import REPEATED, Sets
 
 __all__ = ["MOST_ITEMS", "Feature", "Features", "features_of"]
@@ -140,7 +140,7 @@ def _rows(scene: Scene, pattern: Mask, ancestors: Mask, body: int) -> list[_Row]
     size = np.sqrt(sizes[:, None] * sizes)
     dx = centres[None, :, 0] - centres[:, None, 0]
     dy = np.abs(centres[:, None, 1] - centres[None, :, 1])
-    apart = np.abs(scene.colours[:, None] - scene.colours).sum(axis=-1)
+    apart = colours_apart(scene.colours, scene.colours)
     ratio = np.abs(np.log(sizes[:, None] / sizes))
     common = in_common(np.flip(scene.pictures, axis=2), scene.pictures)
     alike = (ratio < SIZES) & (apart < COLOURS) & (np.maximum(common, common.T) > LIKE)

@@ -4,6 +4,7 @@ Discs, ellipses, rectangles with and without round corners, bars and capsules ar
 rounded box: one becomes another by blending six numbers.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, TypeAlias
@@ -195,25 +196,33 @@ def _box_of(area: "shapely.Geometry") -> RoundedBox | None:
 
     if area.geom_type != "Polygon" or not area.area > 0:
         return None
-    hull = shapely.get_coordinates(area)
+    hull, size = shapely.get_coordinates(area), area.area
     best: tuple[float, RoundedBox] | None = None
     for angle in _angles(area):
+        if angle and best is not None and best[0] >= 1 + ROUNDING:
+            break  # an upright box that nothing oblique can be more like
         turned = hull @ rotations(np.asarray(angle))
         low, high = turned.min(axis=0), turned.max(axis=0)
         sides = high - low
-        if not area.area > LEAST_FILL * float(sides.prod()):
+        whole = float(sides.prod())
+        if not size > LEAST_FILL * whole:
             continue
         centre = rotations(np.asarray(angle)) @ ((low + high) / 2)
-        missing = max(float(sides.prod()) - area.area, 0.0)
+        # What rounding alone leaves of the corners is no radius.
+        missing = whole - size if size < (1 - ROUNDING) * whole else 0.0
         radius = min(float(np.sqrt(missing / (4 - np.pi))), float(sides.min()) / 2)
-        for radii in (np.array([radius, radius]), sides / 2):
+        choices = [np.array([radius, radius])]
+        if float(sides.max()) / 2 > (1 + ROUNDING) * radius:  # else it is the same one again
+            choices.append(sides / 2)
+        for radii in choices:
             box = RoundedBox(centre, sides, angle, radii)
             # No more than what the areas by themselves would let them have in common.
-            small, large = sorted((area.area, _border_area(box)))
+            small, large = sorted((size, _border_area(box)))
             bound = small / large + UPRIGHT * (angle == 0.0) + ROUNDING
             if bound < LIKE_BOX or (best is not None and bound <= best[0]):
                 continue
-            like = _common(area, shapely.Polygon(_border(box)))
+            # All of an area lies in the box round it.
+            like = size / whole if radii.max() == 0 else _common(area, _polygon(box))
             like += UPRIGHT * (angle == 0.0)
             if like >= LIKE_BOX and (best is None or like > best[0]):
                 best = like, box
@@ -223,19 +232,18 @@ def _box_of(area: "shapely.Geometry") -> RoundedBox | None:
     return RoundedBox(box.centre, box.sides, 0.0, box.sides / 2) if box.round else box
 
 
-def _angles(area: "shapely.Geometry") -> list[float]:
-    """Angles at which an area's box may lie, (-pi / 4, pi / 4]."""
+def _angles(area: "shapely.Geometry") -> Iterator[float]:
+    """Angles at which an area's box may lie, (-pi / 4, pi / 4], none first."""
     import shapely
 
-    found = [0.0]
+    yield 0.0
     least = shapely.get_coordinates(area.minimum_rotated_rectangle)
     if len(least) >= 4:
         side = least[1] - least[0]
         angle = float(np.arctan2(side[1], side[0]))
         angle -= np.pi / 2 * round(angle / (np.pi / 2))
         if abs(angle) > 1e-3:
-            found.append(angle)
-    return found
+            yield angle
 
 
 @lru_cache(maxsize=1)
@@ -247,11 +255,14 @@ def _quarters() -> tuple[Points, Points]:
     return np.stack([np.cos(angles), np.sin(angles)], axis=-1), signs
 
 
-def _border(box: RoundedBox) -> Points:
-    """Points of a rounded box's border, (N, 2)."""
+def _polygon(box: RoundedBox) -> "shapely.Polygon":
+    """What a rounded box's border encloses."""
+    import shapely
+
     unit, signs = _quarters()
     local = unit * box.radii + (signs * (box.sides / 2 - box.radii))[:, None]
-    return np.asarray(local.reshape(-1, 2) @ rotations(np.asarray(box.angle)).T + box.centre)
+    turned = local.reshape(-1, 2) @ rotations(np.asarray(box.angle)).T
+    return shapely.Polygon(turned + box.centre)
 
 
 def _border_area(box: RoundedBox) -> float:

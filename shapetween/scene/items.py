@@ -130,14 +130,19 @@ class Item:
         return 0.0 if self.style.stroke is None else self.style.stroke.width
 
     @cached_property
+    def chords(self) -> Points:
+        """Chords of the outer ring with its last point, (N, 2)."""
+        return _polyline(self.outer)
+
+    @cached_property
     def points(self) -> Points:
         """Even samples along the outer ring, (SAMPLES, 2); of a line with both its ends."""
-        return even_points(self.outer, SAMPLES)
+        return _even_points(self.chords, SAMPLES, closed=self.closed)
 
     @cached_property
     def length(self) -> float:
         """Length of the outer ring."""
-        steps = np.diff(_polyline(self.outer), axis=0)
+        steps = np.diff(self.chords, axis=0)
         return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
 
     @cached_property
@@ -146,11 +151,10 @@ class Item:
         import shapely
 
         if not self.filled:
-            return _painted_line(_polyline(self.outer), self.closed, self.style.stroke)
+            return _painted_line(self.chords, self.closed, self.style.stroke)
         if self.closed and not self.holes:
             return self.enclosed
-        rings = [_polyline(ring) for ring in self.rings]
-        polygon = shapely.Polygon(rings[0], rings[1:])
+        polygon = shapely.Polygon(self.chords, [_polyline(ring) for ring in self.holes])
         return polygon if polygon.is_valid else shapely.make_valid(polygon)
 
     @cached_property
@@ -160,7 +164,7 @@ class Item:
 
         if not self.closed:
             return self.drawn
-        polygon = shapely.Polygon(_polyline(self.outer))
+        polygon = shapely.Polygon(self.chords)
         return polygon if polygon.is_valid else shapely.make_valid(polygon)
 
     @cached_property
@@ -180,8 +184,7 @@ class Item:
     @cached_property
     def box(self) -> Points:
         """Least and greatest corner of the outer ring, (2, 2)."""
-        line = _polyline(self.outer)
-        return np.stack([line.min(axis=0), line.max(axis=0)])
+        return np.stack([self.chords.min(axis=0), self.chords.max(axis=0)])
 
     @cached_property
     def extent(self) -> float:
@@ -298,14 +301,13 @@ def _premultiplied(colour: Colour, opacity: float) -> Floats:
     return np.append(to_oklab(colour) * alpha, alpha)
 
 
-def even_points(outline: Outline, count: int) -> Points:
-    """Points at even distances along an outline, (count, 2), of an open one from end to end."""
-    line = _polyline(outline)
+def _even_points(line: Points, count: int, *, closed: bool) -> Points:
+    """Points at even distances along chords, (count, 2), of open ones from end to end."""
     steps = np.diff(line, axis=0)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
     if along[-1] == 0:
         return np.repeat(line[:1], count, axis=0)
-    if outline.closed:
+    if closed:
         wanted = np.arange(count) / count * along[-1]
     else:
         wanted = np.linspace(0.0, along[-1], count)

@@ -16,7 +16,7 @@ from shapetween.scene.items import Item
 Shapes: TypeAlias = NDArray[np.object_]
 """Shapely's, (N,)."""
 
-__all__ = ["Axis", "Scene", "perceive"]
+__all__ = ["Axis", "Scene", "colours_apart", "in_common", "perceive"]
 
 #: Share of an item that its parent covers at least.
 COVERED = 0.8
@@ -285,6 +285,14 @@ def in_common(first: Floats, second: Floats) -> Floats:
     return np.asarray(both / np.where(either > 0, either, 1.0))
 
 
+def colours_apart(first: Floats, second: Floats) -> Floats:
+    """Sums of differences of what is seen of paints, (N, 4) and (M, 4) to (N, M)."""
+    total = np.zeros((len(first), len(second)))
+    for one, other in zip(first.T, second.T, strict=True):
+        total += np.abs(one[:, None] - other)
+    return total
+
+
 def _axes(scene: Scene) -> tuple[Axis, ...]:
     """Axes about which most of a drawing is its own mirror image."""
     found = []
@@ -296,7 +304,7 @@ def _axes(scene: Scene) -> tuple[Axis, ...]:
         away = axis.mirrored(scene.centres)[:, None] - scene.centres
         unlike = np.hypot(away[..., 0], away[..., 1]) / scene.scale
         unlike += np.abs(np.log(scene.sizes[:, None] / scene.sizes))
-        unlike += np.abs(scene.colours[:, None] - scene.colours).sum(axis=-1)
+        unlike += colours_apart(scene.colours, scene.colours)
         unlike += UNLIKE * (1 - in_common(flipped, scene.pictures))
         unlike = (unlike + unlike.T) / 2
         kinds = np.array([item.filled for item in scene.items])

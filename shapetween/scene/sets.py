@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.assignment import cheapest_pairs
-from shapetween.scene.relations import Scene
+from shapetween.scene.relations import Scene, colours_apart
 
 __all__ = ["REPEATED", "Ordered", "Sets", "paired_sets", "sets_of"]
 
@@ -68,7 +68,7 @@ def sets_of(scene: Scene) -> Sets:
     keys = np.column_stack([kinds, scene.parents, scene.sheets, scene.outlined >= 0])
     alike = np.abs(sizes[:, None] - sizes) < SIZES
     alike &= np.abs(lengths[:, None] - lengths) < LENGTHS
-    alike &= np.abs(scene.colours[:, None] - scene.colours).sum(axis=-1) < COLOURS
+    alike &= colours_apart(scene.colours, scene.colours) < COLOURS
     alike &= (keys[:, None] == keys).all(axis=-1)
     labels = _components(alike)
     return Sets(labels, np.bincount(labels)[labels])

@@ -90,7 +90,7 @@ class Schedule:
         ends = sorted({0.0, *corners, 1.0})
         more = [np.linspace(a, b, BETWEEN + 2) for a, b in pairwise(ends)]
         clock = np.unique(np.concatenate([self.clock, *more]))
-        schedule = Schedule(clock, self.time_at(clock), self.handles)
+        schedule = Schedule(clock, self.time_at(clock).copy(), self.handles)
         kept = np.searchsorted(clock, self.clock)
         schedule.time[kept] = self.time
         return schedule, kept

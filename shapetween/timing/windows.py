@@ -45,6 +45,10 @@ APART = 0.02
 #: looked at so closely that they must not shake.
 HALVINGS, EXACTLY = 24, 54
 
+#: Easings at times that are remembered: parts that go together turn corners at the same times, and
+#: all are looked at there. Fewer, and a thousand of them take half as long again; more is memory.
+KNOWN = 256
+
 #: Times within a movement at which it may turn a corner that are taken for windows' ends, the most
 #: and those between which there are all easings, not just straight ones and `OWN`. More cost time
 #: for each pair of them; with fewer, what goes piece by piece takes keyframes.
@@ -88,8 +92,16 @@ class Eased:
 
 
 def eased_shares(easing: Eased, clock: Floats, halvings: int = HALVINGS) -> Floats:
-    """What an easing is at some times (S,)."""
-    return np.asarray(_shares((easing.handles,), easing.window, clock, halvings)[:, 0])
+    """What an easing is at some times (S,); read only."""
+    return _known_shares(easing, clock.tobytes(), halvings)
+
+
+@lru_cache(maxsize=KNOWN)
+def _known_shares(easing: Eased, clock: bytes, halvings: int) -> Floats:
+    times = np.frombuffer(clock, np.float64)
+    shares = np.asarray(_shares((easing.handles,), easing.window, times, halvings)[:, 0])
+    shares.setflags(write=False)
+    return shares
 
 
 def _shares(

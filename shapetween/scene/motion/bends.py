@@ -116,7 +116,7 @@ def bends_of(places: Places) -> Bends:
             continue
         several = abs(turn) > SEVERAL and end - start > LONG
         count = max(2, round(abs(turn) / (np.pi / 2))) if several else 1
-        edges = np.linspace(start, end, count + 1).tolist()
+        edges = np.linspace(start, end, count + 1).tolist() if several else (start, end)
         found += [(low, high, turn / count) for low, high in pairwise(edges)]
     rows = np.array(found).reshape(-1, 3)
     rows = rows[np.argsort(rows[:, 0], kind="stable")]

@@ -39,7 +39,7 @@ class TurningExcess:
     excess : float
         By how much in-between forms turn beyond that; negative if they turn less.
     crossing : bool
-        Whether it crosses itself.
+        Whether it crosses itself; not looked at where the ends turn by more than `MOST_TURNS`.
     """
 
     turns: float
@@ -63,8 +63,10 @@ def turning_excess(track: CurveTrack) -> TurningExcess:
     curves = track.curves(TURNING)[:, :count]
     turns = np.round([total_turning(ring) for ring in curves], 6)
     ends = float(max(turns[0], turns[-1]))
-    crossing = crossing_frames(track.curves(LOOKED)[:, :count], [count], [True]).any()
-    return TurningExcess(ends, float(turns[1:-1].max()) - ends, bool(crossing))
+    crossing = ends <= MOST_TURNS and bool(
+        crossing_frames(track.curves(LOOKED)[:, :count], [count], [True]).any()
+    )
+    return TurningExcess(ends, float(turns[1:-1].max()) - ends, crossing)
 
 
 def total_turning(ring: Curves) -> float:
