@@ -216,9 +216,9 @@ def prepare(
     parts, areas, moved, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += moved
     settings.check_used()
-    if scene is None and chosen.folds == "prevent" and chosen.effort == "full":
+    if chosen.folds == "prevent" and chosen.effort == "full":
         with observe("move"):
-            notices += _of_attached(areas)
+            notices += _of_attached(areas, len(parts))
     title = " to ".join(t for t in (source.title, target.title) if t)
     movement = Movement(parts, source.box, title, source.page)
     return Prepared(movement, matrix, distinct(notices), areas, scene)
@@ -347,12 +347,12 @@ def _closed(shape: Shape) -> Shape:
     return replace(shape, rings=tuple(ring.close() for ring in shape.rings))
 
 
-def _of_attached(areas: tuple[FillTrack, ...]) -> list[Notice]:
-    """What to tell of shapes in which something attached crosses itself on the way."""
+def _of_attached(areas: tuple[FillTrack, ...], count: int) -> list[Notice]:
+    """What to tell of those of so many parts in which something attached crosses itself."""
     crossing = sum(bool(area.crossing(LOOKED).any()) for area in areas)
     if not crossing:
         return []
-    among = f"{crossing} of {len(areas)} shapes" if len(areas) > 1 else "the shape"
+    among = f"{crossing} of {count} shapes" if count > 1 else "the shape"
     return [Notice("crossing", f"in {among}, attached parts cross themselves on the way")]
 
 

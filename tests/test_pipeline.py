@@ -1,6 +1,7 @@
 """Whole drawings: what becomes which, in what order it is painted, and what stays inside what."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,15 +9,17 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.base.ends import End
 from shapetween.base.errors import OptionError, OutlineError
 from shapetween.fill.appearing import AppearingRegion
+from shapetween.fill.track import FillTrack
 from shapetween.geometry.bezier import evaluate, flatten, line_curves
 from shapetween.model.drawing import Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke
 from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.svg.read.reader import read_svg
 from tests.drawings import area, drawing, line, ring, square
 from tests.mesh.pairs import untangled
 from tests.movements import circle
@@ -295,3 +298,31 @@ def test_a_hole_that_crosses_itself_while_it_closes_is_told(
     told = "in the shape, attached parts cross themselves on the way"
     assert told in prepare(first, second).warnings
     assert told not in prepare(first, second, Options(folds="allow")).warnings
+
+
+def test_rings_that_cross_themselves_in_a_drawing_of_several_parts_are_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    inputs = Path(__file__).parent.parent / "gallery" / "inputs"
+    drawings = [
+        read_svg((inputs / f"{name}.svg").read_bytes(), name) for name in ("horse", "kangaroo")
+    ]
+    first, second = (
+        replace(one, shapes=(*one.shapes, area(disc(one.box.x, one.box.y, 2), colour=RED)))
+        for one in drawings
+    )
+    prepared = prepare(first, second)
+    assert prepared.scene is not None
+    assert not any("cross" in warning for warning in prepared.warnings)
+    assert prepared.scene.areas
+
+    def tied(self: FillTrack, t: Floats) -> Mask:
+        return np.ones(len(t), dtype=bool)
+
+    monkeypatch.setattr(FillTrack, "crossing", tied)
+    told = [notice for notice in prepare(first, second).notices if notice.kind == "crossing"]
+    assert [str(notice) for notice in told] == [
+        f"in 1 of {len(prepared.movement.parts)} shapes, attached parts cross themselves on the way"
+    ]
+    allowed = prepare(first, second, Options(folds="allow")).notices
+    assert not any(notice.kind == "crossing" for notice in allowed)

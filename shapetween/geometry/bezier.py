@@ -86,7 +86,7 @@ def _beside(weights: tuple[Floats, ...], axis: int) -> Floats:
     """Weights on an axis of their own; what ``np.stack`` does, without its checks."""
     shape = list(weights[0].shape)
     shape.insert(axis % (len(shape) + 1), len(weights))
-    found = np.empty(shape)
+    found = np.zeros(shape)
     rows = np.moveaxis(found, axis, 0)
     for k, weight in enumerate(weights):
         rows[k] = weight

@@ -266,7 +266,7 @@ def relations_cost(a: Scene, b: Scene, now: Current) -> Floats:
     weights = np.exp(-np.clip(now.costs[kept], -2, 4)) * sizes[kept] / _scale(a, b)
     total = np.zeros((len(a.items), len(b.items)))
     weighed = np.full_like(total, DAMPED)
-    change, way = np.empty_like(total), np.empty_like(total)  # tables are large, and laid out once
+    change, way = np.zeros_like(total), np.zeros_like(total)  # tables are large, and laid out once
     for i, j, own in zip(now.first[kept], now.second[kept], weights, strict=True):
         ways = [(s.centres - s.centres[k]) / s.scale for s, k in ((a, i), (b, j))]
         np.subtract(ways[0][:, :1], ways[1][:, 0], out=change)

@@ -307,10 +307,8 @@ def _even_points(line: Points, count: int, *, closed: bool) -> Points:
     along = np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
     if along[-1] == 0:
         return np.repeat(line[:1], count, axis=0)
-    if closed:
-        wanted = np.arange(count) / count * along[-1]
-    else:
-        wanted = np.linspace(0.0, along[-1], count)
+    shares = np.arange(count) / count if closed else np.linspace(0.0, 1.0, count)
+    wanted = shares * along[-1]
     x, y = (np.interp(wanted, along, line[:, k]) for k in (0, 1))
     return np.stack([x, y], axis=1)
 

@@ -15,6 +15,7 @@ from shapetween.svg.read.viewbox import fit, parse_view_box
 from shapetween.svg.read.xml import local_name
 
 __all__ = [
+    "FLOWED",
     "GROUPS",
     "KEPT",
     "LOST_ELEMENTS",
@@ -35,6 +36,11 @@ LOST_ELEMENTS = {
     "image": f"an image was left out; {KEPT}",
     "foreignObject": "a foreign object was left out",
 }
+#: The same of what no browser draws: Inkscape's text that flows into a shape.
+FLOWED = (
+    "text flowed into a shape (flowRoot) was left out, as browsers leave it out; "
+    "convert it to text or to paths in Inkscape to keep it"
+)
 #: Sizes of fonts that have names, in px.
 FONT_SIZES = {"xx-small": 9.0, "x-small": 10.0, "small": 13.0, "medium": 16.0, "large": 18.0}
 FONT_SIZES |= {"x-large": 24.0, "xx-large": 32.0}

@@ -12,7 +12,7 @@ from shapetween.svg.read.shapes import GEOMETRY
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.variables import with_scheme
 
-__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal", "unfolded"]
+__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal", "reset", "unfolded"]
 
 INHERITED = frozenset(
     {
@@ -156,7 +156,11 @@ def is_valid(name: str, value: str, styled: bool = True) -> bool:
     if len(value) > MOST_CHARACTERS and name != "d":
         return False
     word = value.strip().lower()
-    if word in _WIDE or "var(" in word:
+    if word in _WIDE:
+        return True
+    if name == "all":
+        return False
+    if "var(" in word:
         return True
     if name in PAINTS:
         return parse_paint(with_scheme(value, "", "black") if "(" in value else value) is not None
@@ -205,6 +209,15 @@ def unfolded(name: str, value: str) -> dict[str, str]:
         elif word != "normal":
             fonts["font-weight"] = word
     return fonts
+
+
+def reset(word: str) -> dict[str, str]:
+    """What ``all`` says of every property: ``initial``, ``inherit``, ``unset`` or ``revert``.
+
+    Attributes say nothing any more then: where a shape is, too, and how it is transformed.
+    """
+    named = {"initial": INHERITED, "inherit": INHERITED | OWN}.get(word, frozenset())
+    return {**dict.fromkeys(named, word), **dict.fromkeys(GEOMETRY, ""), "transform": "none"}
 
 
 def _mask(value: str, resets: bool) -> dict[str, str]:

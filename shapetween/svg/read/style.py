@@ -5,7 +5,7 @@ marked important, then inheritance (*CSS Cascading and Inheritance Level 4*, sec
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache, partial
 from typing import TypeAlias
 from xml.etree.ElementTree import Element
@@ -17,10 +17,11 @@ from shapetween.svg.read.properties import (
     is_supported,
     is_valid,
     normal,
+    reset,
     unfolded,
 )
 from shapetween.svg.read.queries import Medium, media_met
-from shapetween.svg.read.sheets import UNLAYERED, Declaration, declarations_of, rules_of
+from shapetween.svg.read.sheets import Declaration, Rule, declarations_of, rules_of
 from shapetween.svg.read.variables import is_of_the_page, with_scheme, with_variables
 from shapetween.svg.read.xml import local_name
 
@@ -39,6 +40,8 @@ MOST_PROPERTIES = 200
 _PLAIN = re.compile(r"""(?:[^-"'()\\/{}!@\[\]]|-(?!-)|\([^"'()\\/{}!@;\[\]]*\))*+""")
 
 Spend: TypeAlias = Callable[[str, int], None]
+
+_Layers: TypeAlias = Sequence[Sequence[Declaration]]
 
 
 def page_key(name: str) -> str:
@@ -72,8 +75,8 @@ class Cascade:
             and element.get("type", "text/css").strip().lower() in ("", "text/css")
             and media_met(element.get("media", ""), medium)
         ]
-        # For each element its normal declarations, then those marked important.
-        self._matched: dict[Element, tuple[list[Declaration], list[Declaration]]] = {}
+        # For each element its declarations layer by layer, then those marked important.
+        self._matched: dict[Element, tuple[_Layers, _Layers]] = {}
         inline = {each.get("style", "") for each in root.iter()}
         involved = (text for text in inline if not _PLAIN.fullmatch(text))
         spend("style_characters", sum(map(len, sheets)) + sum(map(len, involved)))
@@ -99,10 +102,12 @@ class Cascade:
                 own[name] = value.strip()
         usual, important = self._matched.get(element, ((), ()))
         inline = _declarations(element.get("style", ""))
-        for sheet, mark in ((usual, False), (important, True)):
-            for name, value, marked in (*sheet, *inline):
-                if marked == mark and is_valid(name, value):
-                    own.update(unfolded(name, value))
+        for layers, mark in ((usual, False), (important, True)):
+            for layer in (*layers, inline):
+                below = dict(own)
+                for name, value, marked in layer:
+                    if marked == mark and is_valid(name, value):
+                        _take(own, below, name, value)
 
         computed = {
             name: value
@@ -168,22 +173,41 @@ class Cascade:
         found, self._keyframes = rules_of(
             sheet, medium, is_supported, partial(spend, "style_characters"), self._warn
         )
-        layered = False
         for rule in found:
             selectors = compile_selectors(rule.selector)
             if selectors is None:
                 self._warn("some selectors of its style sheet are not understood")
                 continue
-            layered = layered or rule.layer != UNLAYERED
             rules += [(selector, rule) for selector in selectors]
         for element, matched in matches(root, rules, partial(spend, "style_steps")):
-            ranked = sorted(matched, key=lambda rule: rule.layer) if layered else matched
-            usual = [d for rule in ranked for d in rule.declarations if not d[2]]
-            if layered:  # what is important wins the other way round
-                ranked = sorted(matched, key=lambda rule: -rule.layer)
-            important = [d for rule in ranked for d in rule.declarations if d[2]]
+            usual = _layers(matched, marked=False)
+            important = _layers(matched, marked=True)[::-1]  # wins the other way round
             self._matched[element] = usual, important
-            spend("style_steps", len(usual) + len(important))
+            spend("style_steps", sum(map(len, usual)) + sum(map(len, important)))
+
+
+def _layers(rules: Sequence[Rule], *, marked: bool) -> _Layers:
+    """Declarations of rules that are marked important or not, layer by layer."""
+    ranks = sorted({rule.layer for rule in rules})
+    return [
+        [d for rule in rules if rule.layer == rank for d in rule.declarations if d[2] == marked]
+        for rank in ranks
+    ]
+
+
+def _take(own: dict[str, str], below: Properties, name: str, value: str) -> None:
+    """Take in what a layer says of a property, or of all of them; `below` is without the layer."""
+    word = value.strip().lower()
+    if name == "all":
+        custom = {each: own[each] for each in own if each.startswith("--")}
+        own.clear()
+        own.update(below if word == "revert-layer" else reset(word))
+        own.update(custom)
+    elif word == "revert-layer":
+        own.pop(name, None)
+        own.update({each: below[each] for each in below if each == name})
+    else:
+        own.update(unfolded(name, value))
 
 
 def _is_animated(properties: Properties) -> bool:

@@ -17,6 +17,7 @@ from shapetween.svg.read.csstransform import TRANSFORMS, css_transform
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Frame, Layer, Placed
 from shapetween.svg.read.placing import (
+    FLOWED,
     GROUPS,
     LOST_ELEMENTS,
     chosen,
@@ -88,6 +89,8 @@ def walk(
         document.limits.check("nesting", visit.depth, document.name)
         tag = local_name(element)
         if tag not in SHAPES and tag not in GROUPS and tag not in LOST_ELEMENTS:
+            if tag == "flowRoot" and not quiet and "".join(element.itertext()).strip():
+                document.losses.add(FLOWED)
             continue
         if tag == "symbol" and visit.used_by is None:
             continue

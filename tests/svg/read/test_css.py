@@ -74,6 +74,18 @@ def colour(sheet: str, attributes: str = 'class="a"') -> str:
         (".a{fill:light-dark(#f00, #00f)}", "f00"),
         (":root{color-scheme:dark}.a{fill:light-dark(#f00, #00f)}", "00f"),
         (".a{fill:color-mix(in srgb, light-dark(#f00, #000) 100%, #00f)}", "f00"),
+        # What takes back what was said: of one property, or of all.
+        (".a{fill:#f00} .a{fill:revert}", "000"),
+        (".o{fill:#00f} .a{fill:#f00;all:inherit;width:9px;height:9px}", "00f"),
+        (".o{fill:#00f} .a{fill:#f00;all:revert;width:9px;height:9px}", "00f"),
+        (".o{fill:#00f} .a{fill:#f00;all:unset;width:9px;height:9px}", "00f"),
+        (".o{fill:#00f} .a{fill:#f00;all:initial;width:9px;height:9px}", "000"),
+        (".a{all:revert;fill:#f00;width:9px;height:9px} rect{fill:#00f}", "f00"),
+        (".a{fill:#f00} .a{all:nonsense}", "f00"),
+        (".a{fill:#f00!important} .a{all:revert;width:9px;height:9px}", "f00"),
+        (".a{--c:#f00;all:unset;width:9px;height:9px;fill:var(--c)}", "f00"),
+        ("@layer x,y; @layer x{.a{fill:#f00}} @layer y{.a{fill:#00f;fill:revert-layer}}", "f00"),
+        ("@layer x{.a{fill:#f00}} .a{fill:#00f} .a{all:revert-layer}", "f00"),
         # What is not sound loses against what came before.
         (".a{fill:#f00;fill:color-mix(in nothing, red, blue)}", "f00"),
     ],
@@ -232,6 +244,36 @@ def test_lengths_of_style_need_their_unit() -> None:
 def test_what_is_not_followed_is_told(body: str, word: str) -> None:
     (warning,) = drawn(body).warnings
     assert word in warning
+
+
+def test_inline_style_takes_back_itself_alone() -> None:
+    assert colour("rect{fill:#0f0}", 'fill="#f00" style="fill:#00f;fill:revert-layer"') == "0f0"
+    assert colour("rect{fill:#0f0}", 'style="fill:#00f;all:revert-layer"') == "0f0"
+
+
+@pytest.mark.parametrize("word", ["initial", "inherit", "unset", "revert"])
+def test_attributes_say_nothing_of_what_style_resets_whole(word: str) -> None:
+    """Where it is and how it is transformed are properties too: in browsers nothing is left."""
+    body = '<path d="M0 0H9V9Z"/><path d="M0 0H50V50Z" style="all:{}{}"/>'
+    assert len(drawn(body.format(word, "")).shapes) == 1
+    again = drawn(
+        body.format(word, ";d:path('M0 0H5V5Z')").replace("/>", ' transform="scale(4)"/>')
+    )
+    assert again.shapes[1].rings[0].box[1].tolist() == [5, 5]
+
+
+@pytest.mark.parametrize("tag", ["flowPara", "flowSpan"])
+def test_text_that_only_inkscape_shows_is_told(tag: str) -> None:
+    flowed = (
+        "<flowRoot><flowRegion><rect width='9' height='9'/></flowRegion><{0}>{1}</{0}></flowRoot>"
+    )
+    (warning,) = drawn("<rect width='9' height='9'/>" + flowed.format(tag, "Hello")).warnings
+    assert "flowRoot" in warning
+    assert "Inkscape" in warning
+    # Inkscape leaves empty ones behind, and ones that nobody sees.
+    assert not drawn("<rect width='9' height='9'/>" + flowed.format(tag, " ")).warnings
+    hidden = f"<g display='none'>{flowed.format(tag, 'Hello')}</g>"
+    assert not drawn("<rect width='9' height='9'/>" + hidden).warnings
 
 
 def test_keyframes_that_nothing_uses_are_no_matter() -> None:
