@@ -271,9 +271,8 @@ def test_text_that_only_inkscape_shows_is_told(tag: str) -> None:
     assert "flowRoot" in warning
     assert "Inkscape" in warning
     # Inkscape leaves empty ones behind, and ones that nobody sees.
-    assert not drawn("<rect width='9' height='9'/>" + flowed.format(tag, " ")).warnings
-    hidden = f"<g display='none'>{flowed.format(tag, 'Hello')}</g>"
-    assert not drawn("<rect width='9' height='9'/>" + hidden).warnings
+    assert not drawn(shape + flowed.format(" ")).warnings
+    assert not drawn(f"{shape}<g display='none'>{flowed.format('Hello')}</g>").warnings
 
 
 def test_keyframes_that_nothing_uses_are_no_matter() -> None:
