@@ -264,10 +264,9 @@ def test_attributes_say_nothing_of_what_style_resets_whole(word: str) -> None:
 
 @pytest.mark.parametrize("tag", ["flowPara", "flowSpan"])
 def test_text_that_only_inkscape_shows_is_told(tag: str) -> None:
-    flowed = (
-        "<flowRoot><flowRegion><rect width='9' height='9'/></flowRegion><{0}>{1}</{0}></flowRoot>"
-    )
-    (warning,) = drawn("<rect width='9' height='9'/>" + flowed.format(tag, "Hello")).warnings
+    shape = "<rect width='9' height='9'/>"
+    flowed = f"<flowRoot><flowRegion>{shape}</flowRegion><{tag}>{{}}</{tag}></flowRoot>"
+    (warning,) = drawn(shape + flowed.format("Hello")).warnings
     assert "flowRoot" in warning
     assert "Inkscape" in warning
     # Inkscape leaves empty ones behind, and ones that nobody sees.
