@@ -37,6 +37,10 @@ LEAST = 0.1
 #: Least step between two places, as a share of an even one.
 LEAST_STEP = 1e-3
 
+#: How far a place may move along its outline, as a share of the length. Farther, and tips leave
+#: what they were matched with; less, and long spines widen.
+FARTHEST = 0.02
+
 #: Turn of a corner, radians, from which on the place matched with it stays. More cuts corners off;
 #: less holds on to every bend of a hand-drawn line.
 CORNER = 0.4
@@ -107,5 +111,6 @@ def _held(at: Floats, steps: Floats, corners: Floats) -> Floats:
     else:
         places = walked / walked[-1]
         places = places + (at - places).mean()
+    places = at + FARTHEST * np.tanh((places - at) / FARTHEST)
     places[-1] = places[0] + 1
     return np.asarray(places)
