@@ -12,6 +12,7 @@ on both sides of the joint reach.
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Mask
+from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import bernstein, velocity_weights
 
 __all__ = ["merged_curves"]
@@ -32,6 +33,13 @@ _ON_PIECE, _VELOCITIES = bernstein(LOOKED, 0), velocity_weights(LOOKED, 0)
 #: What counts of a distance along the curve, which hardly anybody sees. At 1 half as many curves
 #: merge; at 0 a curve may pass its own end and come back.
 ALONG = 0.25
+
+#: Share of the distance allowed up to which curves that differ from one form, moved and sized, are
+#: of that form. Smaller and rounding tells them apart; larger and slow turns are taken for none.
+ALIKE = 1e-8
+
+#: Times up to which all are looked at, whatever the form.
+FEW = 3
 
 #: Samples that are looked at before all are: most neighbours are seen not to be one at once.
 FIRST_LOOK = 5
@@ -61,6 +69,9 @@ def merged_curves(
     rings : tuple of int
         Each at least one curve; those without any stay so.
     """
+    alike = _alike(curves, ALIKE * min(between, ends))
+    if alike is not None:
+        return _merged_alike(curves, rings, between, ends, alike)
     allowed = np.full(len(curves), between)
     allowed[[0, -1]] = ends
     ring = np.repeat(np.arange(len(rings)), rings)
@@ -95,6 +106,38 @@ def merged_curves(
     merged = np.moveaxis(held[..., left], (0, 1), (2, 3))
     counts = np.bincount(ring[left], minlength=len(rings)).tolist()
     return np.ascontiguousarray(merged), tuple(counts)
+
+
+def _alike(curves: Curves, reach: float) -> Floats | None:
+    """How large all curves are at each time, (F,), if they only move and grow as a whole.
+
+    Beside what they are when they are largest; None if they turn or change.
+    """
+    if len(curves) <= FEW or not curves.size:
+        return None
+    local = (curves - curves[:, :1, :1]).reshape(len(curves), -1)
+    most = local[int(comparable((local**2).sum(axis=1)).argmax())]
+    square = float(most @ most)
+    if not square > 0:
+        return None
+    sizes = local @ most / square
+    local -= sizes[:, None] * most
+    return sizes if np.abs(local).max() <= reach else None
+
+
+def _merged_alike(
+    curves: Curves, rings: tuple[int, ...], between: float, ends: float, sizes: Floats
+) -> tuple[Curves, tuple[int, ...]]:
+    """The same of curves that are of one form at all times, by when they are largest."""
+    inner = 1 + int(comparable(np.abs(sizes[1:-1])).argmax())
+    looked = [0, inner, len(curves) - 1]
+    few, counts = merged_curves(curves[looked], rings, between, ends)
+    k = int(comparable(np.abs(sizes[looked])).argmax())
+    start = curves[:, 0, 0]
+    form = (few[k] - start[looked[k]]) / sizes[looked[k]]
+    merged = start[:, None, None] + sizes[:, None, None, None] * form
+    merged[looked] = few
+    return merged, counts
 
 
 def _by_coordinate(curves: Curves) -> Floats:

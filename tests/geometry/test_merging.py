@@ -1,8 +1,10 @@
 """Curves that are one curve at all times become one."""
 
 import numpy as np
+import pytest
 
 from shapetween.base.arrays import Curves
+from shapetween.geometry import merging
 from shapetween.geometry.bezier import evaluate, line_curves, sub_curves
 from shapetween.geometry.merging import merged_curves
 
@@ -87,3 +89,26 @@ def test_a_piece_without_length_is_none_of_a_curve() -> None:
     point = np.zeros((1, 4, 2))
     stack = np.repeat(np.concatenate([point, pieces([])])[None], 3, axis=0)
     assert merged_curves(stack, (2,), 1e-6, 1e-9)[1] == (2,)
+
+
+def test_what_only_moves_and_grows_is_looked_at_when_it_is_largest(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It merges as if it were looked at at all times, also where it grows beyond its ends."""
+    rng = np.random.default_rng(5)
+    coast = np.cumsum(rng.normal([0.6, 0.1], 1.0, (60, 2)), axis=0)
+    form = line_curves(coast, np.roll(coast, -1, axis=0))
+    for sizes in (np.linspace(0, 1, 31), np.concatenate([np.linspace(1, 2, 16), [1.0]])):
+        moves = np.linspace(0, 700, len(sizes))[:, None] * [1.0, -0.4]
+        stack = moves[:, None, None] + sizes[:, None, None, None] * form
+        monkeypatch.setattr(merging, "ALIKE", 0.0)
+        every, count = merged_curves(stack, (60,), 0.4, 0.2)
+        monkeypatch.undo()
+        made, rings = merged_curves(stack, (60,), 0.4, 0.2)
+        assert rings == count
+        assert 1 < rings[0] < 55
+        np.testing.assert_allclose(made, every, atol=1e-9)
+        np.testing.assert_array_equal(made[[0, -1]], every[[0, -1]])
+    # What turns while it grows is looked at all the time.
+    bent = sizes[:, None, None, None] * turned(form, (3 * sizes).tolist())
+    assert merging._alike(bent, merging.ALIKE * 0.2) is None

@@ -243,7 +243,7 @@ class LeavingTrack(Leaf):
         rings = [
             self.fold.curves(t, gone)
             if self.fold is not None
-            else np.repeat(curves[None], len(t), axis=0)
+            else curves[None]
             if share is None
             else retracted(curves, self.leaving.size(gone), share)
             for curves, share in zip(self.whole, shares, strict=True)
@@ -252,6 +252,7 @@ class LeavingTrack(Leaf):
         if place is not None:
             size = self.leaving.size(gone)[:, None, None, None]
             rings = [place + size * (ring - place) for ring in rings]
+        rings = [np.broadcast_to(ring, (len(t), *ring.shape[1:])) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)
             rings = [_carried(ring, *carry.moved(t), carry) for ring, carry in pairs]
