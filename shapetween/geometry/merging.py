@@ -154,7 +154,8 @@ def _near(
     """
     some = np.unique(np.linspace(0, len(off) - 1, FIRST_LOOK).round().astype(np.intp))
     found = np.arange(len(pairs[0]))
-    for look in (slice(1), some):
+    looks: tuple[slice | Index, ...] = (slice(1), some) if len(off) > FIRST_LOOK else ()
+    for look in looks:
         here = pairs[0][found], pairs[1][found]
         found = found[_all_near(held, off, here, allowed, look)]
     step = max(1, AT_ONCE // len(off))

@@ -13,7 +13,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Index
 from shapetween.geometry.bezier import sub_curves
 from shapetween.timing.easing import LINEAR, bezier_share, even_times, handles_of
-from shapetween.timing.windows import EXACTLY, Eased, eased_shares
+from shapetween.timing.windows import exact_shares
 
 __all__ = ["SAMPLE_STEPS", "Schedule"]
 
@@ -68,7 +68,7 @@ class Schedule:
 
     def time_at(self, clock: Floats) -> Floats:
         """The movement's time when the player's clock shows any (M,), from 0 to 1."""
-        return eased_shares(Eased(self.handles), clock, EXACTLY)
+        return exact_shares(self.handles, clock)
 
     def finer(self) -> tuple["Schedule", Index]:
         """More samples near both ends, where an easing may be as steep as it likes.

@@ -15,7 +15,7 @@ import numpy as np
 from shapetween.base.arrays import Floats
 from shapetween.timing.easing import LINEAR, bezier_share
 
-__all__ = ["EXACTLY", "Eased", "eased_shares", "library", "turning_times"]
+__all__ = ["Eased", "eased_shares", "exact_shares", "library", "turning_times"]
 
 Handles: TypeAlias = tuple[float, float, float, float]
 
@@ -48,6 +48,10 @@ HALVINGS, EXACTLY = 24, 54
 #: Easings at times that are remembered: parts that go together turn corners at the same times, and
 #: all are looked at there. Fewer, and a thousand of them take half as long again; more is memory.
 KNOWN = 256
+
+#: Cells of the table from which Newton's method starts, its steps, and the halvings that they stand
+#: in for. With fewer cells or steps, or more halvings, more is left to all of them.
+CELLS, NEWTON, SKIPPED = 1024, 3, 44
 
 #: Times within a movement at which it may turn a corner that are taken for windows' ends, the most
 #: and those between which there are all easings, not just straight ones and `OWN`. More cost time
@@ -91,38 +95,79 @@ class Eased:
     window: tuple[float, float] = (0.0, 1.0)
 
 
-def eased_shares(easing: Eased, clock: Floats, halvings: int = HALVINGS) -> Floats:
-    """What an easing is at some times (S,); read only."""
-    return _known_shares(easing, clock.tobytes(), halvings)
+def eased_shares(easing: Eased, clock: Floats) -> Floats:
+    """What an easing is at some times (S,)."""
+    return np.asarray(_shares((easing.handles,), easing.window, clock)[:, 0])
+
+
+def exact_shares(handles: Handles, clock: Floats) -> Floats:
+    """What an easing over the whole is at some times (S,), to the last digits; read only.
+
+    As `EXACTLY` halvings have it, the first of which Newton's method stands in for.
+    """
+    return _known_shares(handles, clock.tobytes())
 
 
 @lru_cache(maxsize=KNOWN)
-def _known_shares(easing: Eased, clock: bytes, halvings: int) -> Floats:
-    times = np.frombuffer(clock, np.float64)
-    shares = np.asarray(_shares((easing.handles,), easing.window, times, halvings)[:, 0])
+def _known_shares(handles: Handles, clock: bytes) -> Floats:
+    x1, y1, x2, y2 = handles
+    times = np.clip(np.frombuffer(clock, np.float64), 0.0, 1.0)
+    s = np.interp(times, _abscissae(x1, x2), np.linspace(0.0, 1.0, CELLS + 1))
+    for _ in range(NEWTON):
+        r = 1 - s
+        slope = 3 * (r * r * x1 + 2 * r * s * (x2 - x1) + s * s * (1 - x2))
+        step = (bezier_share(s, x1, x2) - times) / np.where(slope > 0, slope, np.inf)
+        s = np.clip(s - step, 0.0, 1.0)
+    size = 2.0**-SKIPPED
+    low = np.minimum(np.floor(s / size) * size, 1.0 - size)
+    low = low - size * ((low > 0) & (bezier_share(low, x1, x2) >= times))
+    low = low + size * ((low + size < 1) & (bezier_share(low + size, x1, x2) < times))
+    within = ((low <= 0) | (bezier_share(low, x1, x2) < times)) & (
+        (low + size >= 1) | (bezier_share(low + size, x1, x2) >= times)
+    )
+    s = _halved(x1, x2, times, EXACTLY - SKIPPED, low, size)
+    if not within.all():  # where the easing stands, Newton's steps lead nowhere
+        s[~within] = _halved(x1, x2, times[~within], EXACTLY)
+    share = bezier_share(s, y1, y2)
+    shares = np.where(times <= 0, 0.0, np.where(times >= 1, 1.0, share))
     shares.setflags(write=False)
     return shares
 
 
-def _shares(
-    handles: Sequence[Handles],
-    window: tuple[float, float],
-    clock: Floats,
-    halvings: int = HALVINGS,
+@lru_cache(maxsize=16)
+def _abscissae(x1: float, x2: float) -> Floats:
+    """Those of an easing at even parameters, not falling."""
+    return np.maximum.accumulate(bezier_share(np.linspace(0.0, 1.0, CELLS + 1), x1, x2))
+
+
+def _halved(
+    x1: float | Floats,
+    x2: float | Floats,
+    times: Floats,
+    halvings: int,
+    start: float | Floats = 0.0,
+    size: float = 1.0,
 ) -> Floats:
+    """Parameters at which easings have some abscissae, by halving what begins at a start."""
+    shape = np.broadcast_shapes(np.shape(x1), times.shape)
+    low = np.broadcast_to(np.asarray(start), shape)
+    high = low + size
+    for _ in range(halvings):
+        middle = (low + high) / 2
+        before = bezier_share(middle, x1, x2) < times
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return np.asarray((low + high) / 2)
+
+
+def _shares(handles: Sequence[Handles], window: tuple[float, float], clock: Floats) -> Floats:
     """What easings over a window are at some times (S,), (S, L)."""
     start, end = window
     times = np.clip((clock - start) / (end - start), 0.0, 1.0)[:, None]
     x1, y1, x2, y2 = np.array(handles).T
     # Many easings have the same abscissae, which are what takes the time.
     abscissae, which = np.unique(np.array([x1, x2]), axis=1, return_inverse=True)
-    x1, x2 = abscissae
-    low, high = np.zeros((len(clock), len(x1))), np.ones((len(clock), len(x1)))
-    for _ in range(halvings):
-        middle = (low + high) / 2
-        before = bezier_share(middle, x1, x2) < times
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    share = bezier_share(((low + high) / 2)[:, which.ravel()], y1, y2)
+    s = _halved(abscissae[0], abscissae[1], times, HALVINGS)
+    share = bezier_share(s[:, which.ravel()], y1, y2)
     return np.asarray(np.where(times <= 0, 0.0, np.where(times >= 1, 1.0, share)))
 
 
@@ -254,7 +299,8 @@ def _leaps(times: Floats, places: Floats) -> tuple[Floats, Floats]:
 
 def _longest(vectors: Floats) -> Floats:
     """The greatest length at each time, (S, K, 2) to (S,)."""
-    return np.asarray(np.sqrt((vectors**2).sum(-1)).max(axis=1))
+    x, y = vectors[..., 0], vectors[..., 1]  # sums along short axes are slow
+    return np.asarray(np.sqrt((x * x + y * y).max(axis=1)))
 
 
 @lru_cache(maxsize=256)

@@ -9,10 +9,13 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
+from shapetween.timing import windows
 from shapetween.timing.easing import (
     EASINGS,
+    bezier_share,
     easing_function,
     even_times,
+    handles_of,
     is_plain,
     overshoots,
 )
@@ -225,3 +228,27 @@ def test_parts_of_an_easing_are_easings_that_make_the_whole(
 
 def bernstein(s: Floats) -> Floats:
     return np.concatenate([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3], axis=1)
+
+
+@pytest.mark.parametrize("name", [*EASINGS, "cubic-bezier(0,1,1,0)", "cubic-bezier(1,0,1,0)"])
+def test_an_easing_is_solved_as_by_halving_in_a_third_of_the_steps(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    x1, y1, x2, y2 = handles_of(name)
+    clock = np.concatenate([np.linspace(-0.1, 1.1, 301), 10.0 ** -np.arange(1, 17)])
+    times = np.clip(clock, 0.0, 1.0)
+    solve = windows._halved
+    wanted = bezier_share(solve(x1, x2, times, windows.EXACTLY), y1, y2)
+    wanted = np.where(times <= 0, 0.0, np.where(times >= 1, 1.0, wanted))
+    steps: list[int] = []
+
+    def counted(
+        a: float, b: float, times: Floats, halvings: int, start: float = 0.0, size: float = 1.0
+    ) -> Floats:
+        steps.append(len(times) * halvings)
+        return solve(a, b, times, halvings, start, size)
+
+    monkeypatch.setattr(windows, "_halved", counted)
+    found = windows.exact_shares((x1, y1, x2, y2), clock)
+    np.testing.assert_array_equal(found, wanted)
+    assert sum(steps) < len(clock) * windows.EXACTLY / 3
