@@ -4,15 +4,17 @@ To move the parts of a bicycle into those of a taxi shows for half of the time w
 is drawn whole at any time is better then, small where it changes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask
 from shapetween.base.ends import End
+from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
+from shapetween.scene.disturbance import intricacy, waviness
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, drawn_box, in_common, pictures
@@ -25,6 +27,7 @@ __all__ = [
     "difference",
     "exchange_goings",
     "exchange_roles",
+    "in_lines",
     "pierced_apart",
     "too_different",
 ]
@@ -32,11 +35,15 @@ __all__ = [
 Behind: TypeAlias = tuple[Mask, Mask]
 """Which items of either drawing are behind all else."""
 
-#: Difference from which on drawings are exchanged. Fitted with the two weights to 166 pairs, each
-#: judged by eye to look better, as well, or worse exchanged: of 55 better ones it takes 42, of 75
-#: worse ones 11. Smaller, and a cat's face leaves for a dog's to come; larger, and a poodle's legs
-#: bend into a watch.
-EXCHANGED = 0.92
+#: Sum of what counts against moving from which on drawings are exchanged. Fitted with the weights
+#: below to 232 pairs, each judged by eye to look better, as well, or worse exchanged: of 87 better
+#: ones it takes 63, of 74 worse ones 10. Smaller, and a trophy leaves for a crown to come; larger,
+#: and a phone folds into an envelope.
+EXCHANGED = 1.06
+
+#: What counts, beside how little drawings have in common, of a turn that outlines of what changes
+#: have, and of one that is on the way alone.
+INTRICATE, WAVY = 0.2, 7.0
 
 #: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
 #: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
@@ -70,9 +77,17 @@ GROUND_COLOUR = 0.15
 #: much more together, and one is seen through the other.
 GOES, COMES = (0.0, 0.47), (0.45, 1.0)
 
-#: Share of its size at which one is last and the other first seen. Smaller, and a speck is seen in
-#: the middle; larger, and one leaps to be the other.
-LEAST = 0.28
+#: Share of its size at which one is last and the other first seen, of areas and of lines. Smaller,
+#: and a speck is seen in the middle; larger, and one leaps to be the other. Lines fill little of
+#: their place, and what is as small as areas may be is a hairline.
+LEAST, LEAST_LINES = 0.28, 0.55
+
+#: Power of size by which lines thin. At 1 they are pale in the middle; at 0 what is close clots.
+THINS = 0.5
+
+#: Share of both drawings, by size, from which on they are drawn in lines. Smaller, and emoji with
+#: an outline are; larger, and a line drawing with a dot is none.
+LINES = 0.5
 
 
 def behind_both(a: Scene, b: Scene, roles: Roles) -> Behind:
@@ -86,7 +101,13 @@ def behind_both(a: Scene, b: Scene, roles: Roles) -> Behind:
     return found[0], found[1]
 
 
-def too_different(a: Scene, b: Scene, roles: Roles, behind: Behind) -> bool:
+def too_different(
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    behind: Behind,
+    tracks: Mapping[int, Sequence[CurveTrack]] | None = None,
+) -> bool:
     """Whether two drawings are to be exchanged.
 
     One thing by itself becomes what it pairs with, whatever the two are, but for areas with holes.
@@ -98,6 +119,8 @@ def too_different(a: Scene, b: Scene, roles: Roles, behind: Behind) -> bool:
         Who would become whom.
     behind : (mask, mask)
         What `behind_both` finds.
+    tracks : mapping of int to sequence of CurveTrack, optional
+        How each pair would move; without, it is asked whether they differ too much however it does.
     """
     if len(a.items) == len(b.items) == 1:
         return pierced_apart(a.items[0], b.items[0])
@@ -105,7 +128,10 @@ def too_different(a: Scene, b: Scene, roles: Roles, behind: Behind) -> bool:
     paired = any(not behind[0][role.first] for role in roles.pairs)
     if min(counts) == 0 or (paired and min(counts) == 1):
         return False
-    return difference(a, b, roles, behind) > EXCHANGED
+    against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
+    if tracks is not None:
+        against += WAVY * waviness(a, b, roles, tracks)
+    return bool(np.round(against, 6) > EXCHANGED)
 
 
 def pierced_apart(one: Item, other: Item) -> bool:
@@ -206,10 +232,34 @@ def exchange_roles(
     )
 
 
-def exchange_goings(scene: Scene, lone: Sequence[int], end: End) -> dict[int, Going]:
+def in_lines(a: Scene, b: Scene) -> bool:
+    """Whether two drawings are drawn in lines."""
+    lines = [
+        float(
+            s.sizes[[not item.filled and s.outlined[k] < 0 for k, item in enumerate(s.items)]].sum()
+        )
+        for s in (a, b)
+    ]
+    whole = [float(s.sizes[~s.sheets].sum()) for s in (a, b)]
+    return all(own >= LINES * of > 0 for own, of in zip(lines, whole, strict=True))
+
+
+def exchange_goings(
+    scene: Scene, lone: Sequence[int], end: End, *, lines: bool
+) -> dict[int, Going]:
     """How the items of a drawing that is exchanged go together, or come.
 
     They shrink towards the middle of all, or to the ground where one stays.
+
+    Parameters
+    ----------
+    scene : Scene
+    lone : sequence of int
+        What goes or comes.
+    end : End
+        The end at which it exists.
+    lines : bool
+        Whether both drawings are drawn in lines.
     """
     window = COMES if end is End.TARGET else GOES
     alone = np.zeros(len(scene.items), dtype=bool)
@@ -219,7 +269,8 @@ def exchange_goings(scene: Scene, lone: Sequence[int], end: End) -> dict[int, Go
     below = ~alone & ~scene.sheets
     if below.any() and scene.centres[below, 1].min() > place[1]:
         place[1] = box[1, 1]
-    whole = Going(Leaving(window, place, least=LEAST, thins=True))
+    least, thins = (LEAST_LINES, THINS) if lines else (LEAST, 1.0)
+    whole = Going(Leaving(window, place, least=least, thins=thins))
     sheet = Going(Leaving((0.0, 1.0), fades=True))
     return {k: sheet if scene.sheets[k] else whole for k in lone}
 

@@ -19,13 +19,19 @@ from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
 from shapetween.scene.attachments import MOST_ENDS, kept_to
 from shapetween.scene.borders import bordered_tracks
-from shapetween.scene.exchange import behind_both, exchange_goings, exchange_roles, too_different
+from shapetween.scene.exchange import (
+    behind_both,
+    exchange_goings,
+    exchange_roles,
+    in_lines,
+    too_different,
+)
 from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.motion.tracks import Frame, Shared
 from shapetween.scene.paint_order import Layer, layers_of
-from shapetween.scene.pairing import pair_items
+from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
@@ -131,31 +137,25 @@ def move_scene(
         Items among them of which most stays where it is.
     """
     paired = pair_items(first, second, views, asked, kept, settings.observe)
-    (a, b), roles, frame, pinned = paired.scenes, paired.roles, paired.frame, paired.pinned
-    still = paired.still
+    (a, b), roles, frame = paired.scenes, paired.roles, paired.frame
+    tracks: dict[int, tuple[CurveTrack, ...]] = {}
     notices: list[Notice] = []
     exchange, matched = False, None
-    if asked.exchange and not kept and frame is None:
-        behind = behind_both(a, b, roles)
-        exchange = too_different(a, b, roles, behind)
-    if exchange:
-        matched = (a, b), roles
-        a, b = perceive(first, views[0]), perceive(second, views[1])
-        roles = exchange_roles(a, b, roles, paired.scenes, behind)
-        notices.append(EXCHANGED_NOTICE)
+    may = asked.exchange and not kept and frame is None
     with settings.observe("move"):
-        tracks: dict[int, tuple[CurveTrack, ...]] = {}
-        mains = main_pairs(a, b, roles)
-        for k in _largest_first(a, roles):
-            role = roles.pairs[k]
-            if (role.first, role.second) in still:
-                tracks[k] = tuple(map(Shared, still[role.first, role.second]))
-                continue
-            mine = [p for p, pair in pinned.items() if pair == (role.first, role.second)]
-            found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
-            tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
-            notices += more
-        if not (pinned or still or exchange or frame is not None):
+        if may:
+            behind = behind_both(a, b, roles)
+            exchange = too_different(a, b, roles, behind)
+        if not exchange:
+            tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
+            exchange = may and too_different(a, b, roles, behind, tracks)
+        if exchange:
+            matched = (a, b), roles
+            a, b = perceive(first, views[0]), perceive(second, views[1])
+            roles = exchange_roles(a, b, roles, paired.scenes, behind)
+            tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
+            notices.insert(0, EXCHANGED_NOTICE)
+        elif not (paired.pinned or paired.still or frame is not None):
             for k, one in bordered_tracks(a, b, roles, tracks).items():
                 tracks[k] = tuple(map(Shared, one))
         anchors = (
@@ -163,9 +163,10 @@ def move_scene(
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
         if exchange:
+            lines = in_lines(a, b)
             goings = (
-                exchange_goings(a, roles.disappearing, End.SOURCE),
-                exchange_goings(b, roles.appearing, End.TARGET),
+                exchange_goings(a, roles.disappearing, End.SOURCE, lines=lines),
+                exchange_goings(b, roles.appearing, End.TARGET, lines=lines),
             )
         else:
             goings = goings_between(
@@ -184,6 +185,31 @@ def move_scene(
     return SceneMovement(
         tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame, matched
     )
+
+
+def _moved_pairs(
+    a: Scene,
+    b: Scene,
+    roles: Roles,
+    paired: Paired,
+    settings: FillSettings,
+    names: tuple[str, str],
+) -> tuple[dict[int, tuple[CurveTrack, ...]], list[Notice]]:
+    """Tracks of every pair, as what each keeps to asks for, and what to tell of them."""
+    tracks: dict[int, tuple[CurveTrack, ...]] = {}
+    notices: list[Notice] = []
+    mains = main_pairs(a, b, roles)
+    for k in _largest_first(a, roles):
+        role = roles.pairs[k]
+        pair = role.first, role.second
+        if pair in paired.still:
+            tracks[k] = tuple(map(Shared, paired.still[pair]))
+            continue
+        mine = [p for p, own in paired.pinned.items() if own == pair]
+        found, more = pair_tracks(k, a, b, roles, settings, names, mine, main=k in mains)
+        tracks[k] = tuple(Shared(track) for track in kept_to(k, found, a, b, roles, tracks))
+        notices += more
+    return tracks, notices
 
 
 def _largest_first(a: Scene, roles: Roles) -> list[int]:

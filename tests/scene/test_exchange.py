@@ -8,7 +8,12 @@ import pytest
 from numpy.typing import NDArray
 
 from shapetween import Morph, morph
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Curves, Floats
+from shapetween.model.part import Change, CurveTrack
+from shapetween.scene.assign import assign
+from shapetween.scene.exchange import behind_both, too_different
+from shapetween.scene.items import items_of
+from shapetween.scene.relations import perceive
 from shapetween.svg.read.reader import read_svg
 
 VIEW = "0 0 100 100"
@@ -204,3 +209,93 @@ def test_layers_of_light_on_a_body_do_not_make_drawings_alike(tmp_path: Path) ->
     for count in (1, len(paints)):
         first, second = ("".join(map(own.format, paints[:count])) for own in (body, star))
         assert is_exchanged(made(tmp_path, first + legs, second + dots))
+
+
+DRONE = (
+    '<g fill="none" stroke="#000" stroke-width="6"><path d="M10 12h26M64 12h26M22 12v20M78 12v20"/>'
+    '<path d="M14 32h72l-8 22H22z"/><path d="M36 54q14 22 28 0M30 70l-8 20M70 70l8 20"/></g>'
+)
+TOWER = (
+    '<g fill="none" stroke="#000" stroke-width="6"><path d="M12 90V44L50 8L88 44V90"/>'
+    '<path d="M40 90q10-40 20 0M30 30v12M70 30v12"/><circle cx="50" cy="44" r="6"/></g>'
+)
+
+
+def test_line_drawings_stay_large_and_their_strokes_heavy(tmp_path: Path) -> None:
+    found = made(tmp_path, DRONE, TOWER)
+    assert is_exchanged(found)
+    for t in np.linspace(0, 1, 101).tolist():
+        assert np.ptp(np.array(boxes(found, t)), axis=1).max() > 0.5 * 70
+        (frame,) = found.movements[0].at(np.array([t]))
+        seen = [s.style.stroke for s in frame.shapes if s.style.opacity > 0]
+        assert min(stroke.width for stroke in seen if stroke is not None) > 0.7 * 6
+
+
+def test_areas_with_an_outline_shrink_as_areas(tmp_path: Path) -> None:
+    outlined = CAR.replace('fill="#c22"', 'fill="#c22" stroke="#000" stroke-width="4"')
+    found = made(tmp_path, outlined, STAR)
+    assert is_exchanged(found)
+    assert np.ptp(np.array(boxes(found, 0.46))[0], axis=0)[0] < 0.35 * 84
+
+
+def wheel(middle: float, count: int, deep: float, tilt: float = 0.0) -> str:
+    """A body with so many teeth."""
+    angle = np.arange(2 * count) * np.pi / count + tilt
+    radius = np.where(np.arange(2 * count) % 2, 30 - deep, 30.0)
+    x, y = middle + radius * np.cos(angle), 50 + radius * np.sin(angle)
+    return "M" + "L".join(f"{a:.3f} {b:.3f}" for a, b in zip(x, y, strict=True)) + "z"
+
+
+def toothed(count: int, deep: float, more: str) -> str:
+    return f'<path d="{wheel(50, count, deep)}" fill="#c40"/>{more}'
+
+
+EARS = '<path d="M2 2h46v46z" fill="#04c"/><path d="M98 2h-46v46z" fill="#04c"/>'
+FEET = '<path d="M2 98h46v-46h-46z" fill="#0a4"/><path d="M76 98a22 22 0 1 0-1 0z"/>'
+
+
+def test_intricate_bodies_are_exchanged_where_plain_ones_move(tmp_path: Path) -> None:
+    assert not is_exchanged(made(tmp_path, toothed(24, 0.2, EARS), toothed(3, 10, FEET)))
+    assert is_exchanged(made(tmp_path, toothed(12, 14, EARS), toothed(7, 14, FEET)))
+    # What stays as it is may be as intricate as it likes.
+    assert not is_exchanged(made(tmp_path, toothed(12, 14, EARS), toothed(12, 14, FEET)))
+
+
+class Waving:
+    """A closed line of twelve sides that is round at both ends and has so deep teeth between."""
+
+    counts, closed, areas = (24,), (True,), ()
+
+    def __init__(self, deep: float) -> None:
+        self.deep = deep
+
+    def curves(self, t: Floats) -> Curves:
+        angle = np.arange(24) * np.pi / 12
+        teeth = np.where(np.arange(24) % 2, self.deep, 0.0)
+        radius = 30 - 4 * (t * (1 - t))[:, None] * teeth
+        points = 50 + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        steps = np.linspace(0, 1, 4)[:, None]
+        after = np.roll(points, -1, axis=1)
+        return np.asarray(points[:, :, None] * (1 - steps) + after[:, :, None] * steps)
+
+    def following(self, change: Change) -> CurveTrack:
+        return change(self)
+
+
+@pytest.mark.parametrize(("deep", "exchanged"), [(0.0, False), (12.0, True)])
+def test_what_gets_wavy_on_its_way_is_exchanged(
+    tmp_path: Path, deep: float, exchanged: bool
+) -> None:
+    made(tmp_path, toothed(24, 0.2, EARS), toothed(3, 10, FEET))
+    scenes = []
+    for name in "ab":
+        drawing = read_svg((tmp_path / f"{name}.svg").read_bytes(), name)
+        scenes.append(perceive(items_of(drawing.shapes, name)[0], np.array([[0, 0], [100, 100]])))
+    a, b = scenes
+    roles = assign(a, b)
+    behind = behind_both(a, b, roles)
+    tracks: dict[int, tuple[CurveTrack, ...]] = {
+        k: (Waving(deep),) for k in range(len(roles.pairs))
+    }
+    assert not too_different(a, b, roles, behind)
+    assert too_different(a, b, roles, behind, tracks) == exchanged

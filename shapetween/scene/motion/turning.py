@@ -9,7 +9,7 @@ from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.part import CurveTrack
 
-__all__ = ["MOST_TURNS", "TurningExcess", "total_turning", "turning_excess"]
+__all__ = ["MOST_TURNS", "TURNING", "TurningExcess", "total_turning", "turning_excess"]
 
 #: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
 #: limbs, which swing: that is the outline engine's.
@@ -69,13 +69,15 @@ def turning_excess(track: CurveTrack) -> TurningExcess:
     return TurningExcess(ends, float(turns[1:-1].max()) - ends, crossing)
 
 
-def total_turning(ring: Curves) -> float:
-    """All turning of a closed ring (P, 4, 2), either way, in whole turns."""
-    points = evaluate(ring, np.arange(8) / 8).reshape(-1, 2)
-    points = np.concatenate([points, points[:1]])
+def total_turning(curves: Curves, *, closed: bool = True) -> float:
+    """All turning of a ring or a line (P, 4, 2), either way, in whole turns."""
+    points = evaluate(curves, np.arange(8) / 8).reshape(-1, 2)
+    points = np.concatenate([points, points[:1] if closed else curves[-1, 3:]])
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-    even = along[-1] * np.arange(STEPS) / STEPS
-    x, y = (np.interp(even, along, axis) for axis in points.T)
-    angle = np.arctan2(np.roll(y, -1) - y, np.roll(x, -1) - x)
-    turn = (np.roll(angle, -1) - angle + np.pi) % (2 * np.pi) - np.pi
+    even = along[-1] * np.arange(STEPS + 1) / STEPS
+    x, y = (np.diff(np.interp(even, along, axis)) for axis in points.T)
+    angle = np.arctan2(y, x)
+    if closed:
+        angle = np.append(angle, angle[0])
+    turn = (np.diff(angle) + np.pi) % (2 * np.pi) - np.pi
     return float(np.abs(turn).sum() / (2 * np.pi))

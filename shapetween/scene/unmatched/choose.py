@@ -137,7 +137,7 @@ def _by_itself(k: int, side: Side) -> Going | None:
     anchor = int(scene.outlined[k])
     if anchor in side.anchors and item.closed:
         thins = item.painted is None  # else it has no stroke
-        leaving = Leaving(side.window, thins=thins, fades=not thins)
+        leaving = Leaving(side.window, thins=float(thins), fades=not thins)
         return Going(leaving, side.carry(anchor, item.centre, "in"))
     if item.cut and not item.filled:
         return gap_going(k, side)

@@ -165,8 +165,9 @@ class Leaving:
         that is cut in two and goes into both its ends.
     fades : bool
         Whether it fades all the time; else only at last, where it is retracted.
-    thins : bool
-        Whether its stroke gets thin where it is.
+    thins : float
+        Power of its size by which its stroke gets thin, also where it stays as large as it is; at 0
+        the stroke keeps its weight until it would be a blot.
     least : float
         Share of its size or length at which it is first or last seen: not as a speck.
     steady : bool
@@ -177,7 +178,7 @@ class Leaving:
     place: Points | None = None
     kept: float | tuple[float, float] | None = None
     fades: bool = False
-    thins: bool = False
+    thins: float = 0.0
     least: float = 0.0
     steady: bool = False
 
@@ -299,10 +300,11 @@ class LeavingPaint:
             seen = float(1 - smooth_step(np.array([(gone - LAST) / (1 - LAST)]))[0])
         else:
             seen = float(gone < 1)
-        smaller = self.leaving.place is not None or self.leaving.thins
+        smaller = self.leaving.place is not None or self.leaving.thins > 0
         if smaller and style.stroke is not None and gone < 1:
             size = float(self.leaving.size(np.array(gone)))
-            thinner = size if self.leaving.thins else min(1.0, size / HEAVY)
+            thins = self.leaving.thins
+            thinner = size**thins if thins else min(1.0, size / HEAVY)
             style = replace(style, stroke=_scaled_stroke(style.stroke, thinner))
         if has_gradient(style):
             curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)

@@ -1,0 +1,78 @@
+"""How much is to be seen on the way between two drawings that is in neither of them."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from shapetween.model.part import CurveTrack
+from shapetween.scene.assign import Role, Roles
+from shapetween.scene.motion.turning import TURNING, total_turning
+from shapetween.scene.relations import Scene, in_common
+
+__all__ = ["intricacy", "waviness"]
+
+#: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
+#: more than what they are on; larger, and the limbs of an animal are not seen.
+SEEN = 0.1
+
+#: Unlikeness of pictures from which on a pair counts fully: what stays as it is may be as intricate
+#: as it likes. Smaller, and a face that stays counts; larger, and gears become suns unnoticed.
+CHANGED = 0.1
+
+#: Turning, in whole turns, that counts at most: of two outlines that turn more nobody follows any
+#: corner. Larger, and one drawn by tracing outweighs all else; at 1 all outlines are discs.
+MOST_TURNS = 3.0
+
+#: All of it that counts at most. Larger, and a face of twenty shades leaves for another one; at 1 a
+#: drawing of many intricate parts counts no more than a star.
+MOST_INTRICATE = 2.0
+
+#: Turning beyond both ends that counts at most. Larger, and a limb that swings outweighs all else;
+#: smaller, and what tears counts as what bulges.
+MOST_WAVES = 0.2
+
+
+def intricacy(a: Scene, b: Scene, roles: Roles) -> float:
+    """How much the outlines turn of what becomes something else, in turns as large as the drawing.
+
+    The more corners there are, the fewer of them have a counterpart.
+    """
+    total = 0.0
+    for role, share in _seen(a, b, roles):
+        i, j = role.first, role.second
+        unlike = 1 - float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
+        turns = max(
+            total_turning(item.outer.curves, closed=item.closed)
+            for item in (a.items[i], b.items[j])
+        )
+        total += share * min(turns, MOST_TURNS) * min(1.0, unlike / CHANGED)
+    return min(total, MOST_INTRICATE)
+
+
+def waviness(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]) -> float:
+    """By how much the outline that gets wavy most turns more on its way than at both ends.
+
+    Parameters
+    ----------
+    a, b : Scene
+    roles : Roles
+    tracks : mapping of int to sequence of CurveTrack
+        By pair.
+    """
+    most = 0.0
+    places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
+    for role, share in _seen(a, b, roles):
+        track = tracks[places[role.first, role.second]][0]
+        curves = track.curves(TURNING)[:, : track.counts[0]]
+        turns = [total_turning(line, closed=track.closed[0]) for line in curves]
+        most = max(most, share * (max(turns[1:-1]) - max(turns[0], turns[-1])))
+    return min(most, MOST_WAVES)
+
+
+def _seen(a: Scene, b: Scene, roles: Roles) -> Iterator[tuple[Role, float]]:
+    """Pairs that are large enough, and their sizes as shares of the drawing."""
+    for role in roles.pairs:
+        i, j = role.first, role.second
+        share = min(a.sizes[i] / a.scale, b.sizes[j] / b.scale)
+        if not a.sheets[i] and np.round(share, 9) >= SEEN:
+            yield role, float(share)
