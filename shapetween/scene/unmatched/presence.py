@@ -166,8 +166,7 @@ class Leaving:
     fades : bool
         Whether it fades all the time; else only at last, where it is retracted.
     thins : float
-        Power of its size by which its stroke gets thin, also where it stays as large as it is; at 0
-        the stroke keeps its weight until it would be a blot.
+        Power of its size by which its stroke thins, wherever it is; 0 where only blots do.
     least : float
         Share of its size or length at which it is first or last seen: not as a speck.
     steady : bool
@@ -303,8 +302,7 @@ class LeavingPaint:
         smaller = self.leaving.place is not None or self.leaving.thins > 0
         if smaller and style.stroke is not None and gone < 1:
             size = float(self.leaving.size(np.array(gone)))
-            thins = self.leaving.thins
-            thinner = size**thins if thins else min(1.0, size / HEAVY)
+            thinner = size**self.leaving.thins if self.leaving.thins else min(1.0, size / HEAVY)
             style = replace(style, stroke=_scaled_stroke(style.stroke, thinner))
         if has_gradient(style):
             curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)
