@@ -39,6 +39,11 @@ LOOKS = 33
 KEPT_SINE = 0.25
 
 
+#: Corners at all times that are moved in one go. More take memory by the gigabyte, and no longer
+#: fit in a processor's cache; with fewer most of the time goes to calls.
+AT_ONCE = 100_000
+
+
 class AlignedFaces(ABC):
     """Faces moved alone, then pulled together into one mesh: [WKD07]_, section 5."""
 
@@ -53,7 +58,11 @@ class AlignedFaces(ABC):
     def vertices(self, t: ArrayLike) -> Points:
         """All vertices at the times (F,), shape (F, V, 2); exactly the pair's own at 0 and 1."""
         moments = times(t)
-        result = self._alignment.vertices(self.loose_corners(moments))
+        some = max(1, AT_ONCE // max(self.pair.quads.size + self.pair.triangles.size, 1))
+        result = np.zeros((len(moments), *self.pair.source.shape))
+        for first in range(0, len(moments), some):
+            now = np.s_[first : first + some]
+            result[now] = self._alignment.vertices(self.loose_corners(moments[now]))
         result[moments == 0] = self.pair.source
         result[moments == 1] = self.pair.target
         return result
@@ -97,17 +106,28 @@ class Projective(AlignedFaces):
         weights = both_areas(pair, faces, parts)
         super().__init__(pair, weights)
         self._quads, self._triangles = RigidFaces.of(pair, weights, parts)
-        looks = corner_sines(self._quads.turned(np.linspace(0, 1, LOOKS)))  # (F, Q, 4)
-        turning = np.sign(looks[:1].sum(axis=-1, keepdims=True))
-        least = (looks * turning).min(axis=-1)  # (F, Q)
-        ends = least[[0, -1]]
-        bad = least.min(axis=0) < KEPT_SINE * ends.min(axis=0)
+        ends, between = self._least_sines()
+        bad = between < KEPT_SINE * ends.min(axis=0)
         forward = ends[0] >= ends[1]
         self._others = [
             (chosen, _paper_motion(self._quads, chosen, backward), backward)
             for backward in (False, True)
             if len(chosen := np.flatnonzero(bad & (forward ^ backward)))
         ]
+
+    def _least_sines(self) -> tuple[Floats, Floats]:
+        """Least corner sine of each quad at both ends, (2, Q), and at any time, (Q,)."""
+        moments = np.linspace(0, 1, LOOKS)
+        some = max(1, AT_ONCE // max(self.pair.quads.size, 1))
+        turning: Floats = np.zeros(0)
+        rows = []
+        for first in range(0, LOOKS, some):
+            looks = corner_sines(self._quads.turned(moments[first : first + some]))  # (F, Q, 4)
+            if first == 0:
+                turning = np.sign(looks[:1].sum(axis=-1, keepdims=True))
+            rows.append((looks * turning).min(axis=-1))
+        least = np.concatenate(rows)  # (F, Q)
+        return least[[0, -1]], least.min(axis=0)
 
     def loose_corners(self, t: Floats) -> Points:
         """Corners of every face moved on its own, face after face, (F, C, 2)."""

@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
-from shapetween.base.arrays import Points
+from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import DegenerateQuadError
 from shapetween.geometry.polygon import corner_sines, rms_radius
+from shapetween.interpolate import projective
 from shapetween.interpolate.projective import PaperProjective, Projective
 from shapetween.interpolate.quads import interpolate_quads
 from shapetween.mesh.pair import MeshPair
+from tests.benchmarks.measuring import bent_grid
 from tests.strategies import grid, rotation
 
 T = np.array([0.0, 0.2, 0.5, 0.9, 1.0])
@@ -105,3 +107,22 @@ def test_residual_is_how_far_faces_are_from_their_vertices() -> None:
     bent = vertices + 0.3 * np.sin(2 * vertices[:, ::-1])
     half = Projective(MeshPair(vertices, bent, quads))
     assert half.residual([0.5])[0] > 1e-3
+
+
+def test_many_quads_are_moved_few_times_at_once_and_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The memory that it takes is bounded, however many times are asked for."""
+    pair, t = bent_grid(6), np.linspace(0, 1, 41)
+    whole = Projective(pair).vertices(t)
+    monkeypatch.setattr(projective, "AT_ONCE", 3 * pair.quads.size)
+    tween = Projective(pair)
+    asked: list[int] = []
+    moved = tween.loose_corners
+
+    def counted(t: Floats) -> Points:
+        asked.append(len(t))
+        return moved(t)
+
+    monkeypatch.setattr(tween, "loose_corners", counted)
+    np.testing.assert_array_equal(tween.vertices(t), whole)
+    assert max(asked) == 3
+    assert sum(asked) == len(t)
