@@ -1,6 +1,8 @@
 """The package is built in layers: imports point one way, and each library has its place."""
 
 import ast
+import re
+from collections import Counter
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -112,6 +114,35 @@ def test_no_module_is_left_over() -> None:
     }
     rooms = {name.rpartition(".")[0] for name in MODULES}  # their faces are imported along
     assert set(MODULES) - used - texts - rooms - RUN == set()
+
+
+#: Definitions that only a test or a script of the gallery uses: the README's table, and figures.
+ELSEWHERE = {"formats_table", "method_strips"}
+
+
+def test_no_definition_is_left_over() -> None:
+    """Each is named somewhere in the package besides where it is defined and handed on."""
+    defined: Counter[str] = Counter()
+    named: Counter[str] = Counter()
+    for tree in MODULES.values():
+        for node in tree.body:
+            if isinstance(node, ast.FunctionDef | ast.ClassDef):
+                defined[node.name] += 1
+            elif isinstance(node, ast.Assign | ast.AnnAssign):
+                targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+                names = {n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)}
+                defined.update(names)
+        for inner in ast.walk(tree):
+            if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Load):
+                named[inner.id] += 1
+            elif isinstance(inner, ast.Attribute):
+                named[inner.attr] += 1
+            elif isinstance(inner, ast.ImportFrom):
+                named.update(alias.name for alias in inner.names)
+            elif isinstance(inner, ast.Constant) and isinstance(inner.value, str):
+                named.update(re.findall(r"\w+", inner.value) if ":" in inner.value else ())
+    lone = {name for name in defined if not named[name] and not name.startswith("__")}
+    assert lone <= ELSEWHERE
 
 
 def room_of(name: str) -> str:

@@ -1,11 +1,8 @@
 """Names that a person gave to shapes, told from those that editors give by themselves."""
 
 import re
-from collections.abc import Iterable
 
-from shapetween.model.drawing import Shape
-
-__all__ = ["common_names", "is_given"]
+__all__ = ["is_given"]
 
 #: What editors call a thing of which they know no more than its kind: words of SVG, of Inkscape,
 #: Illustrator in several languages, Figma and Sketch.
@@ -30,9 +27,3 @@ def is_given(name: str) -> bool:
     ['tail', 'leg-2']
     """
     return _GENERATED.fullmatch(name) is None
-
-
-def common_names(first: Iterable[Shape], second: Iterable[Shape]) -> set[str]:
-    """Given names that shapes of both drawings have."""
-    one, other = ({s.name for s in side if is_given(s.name)} for side in (first, second))
-    return one & other

@@ -17,7 +17,6 @@ __all__ = [
     "Paths",
     "cyclic_paths",
     "cyclic_prices",
-    "open_path",
     "priced_path",
     "rolled_paths",
 ]
@@ -190,41 +189,22 @@ class OpenPath(NamedTuple):
     cost: float
 
 
-def open_path(cost: Floats) -> tuple[Index, Index]:
+def priced_path(cost: Floats, reward: Floats) -> OpenPath | None:
     """The cheapest path through the costs of two open lines of n samples each, end to end.
 
     Parameters
     ----------
-    cost : (n, n) float64
-
-    Returns
-    -------
-    rows, columns : (K,) intp
-        Samples that are matched, both strictly increasing, from 0 to n - 1.
-    """
-    return _end_to_end(cost).trace(0)
-
-
-def priced_path(cost: Floats, reward: Floats) -> OpenPath | None:
-    """The same with costs that bar cells where they are infinite, and rewards.
-
-    Parameters
-    ----------
     cost, reward : (n, n) float64
-        As for `cyclic_prices`.
+        As for `cyclic_prices`; what costs infinitely much is barred.
 
     Returns
     -------
     OpenPath or None
         None if all ways are barred.
     """
-    paths = _end_to_end(cost, reward)
+    sample, steps = np.arange(len(cost)), len(cost) - 1
+    prices = _prices(cost + tilt(sample[:, None], sample)) - reward
+    paths = Paths(prices, steps, np.zeros(1, dtype=np.intp), steps)
     if not np.isfinite(paths.costs[0]):
         return None
     return OpenPath(*paths.trace(0), float(paths.costs[0]))
-
-
-def _end_to_end(cost: Floats, reward: Floats | float = 0.0) -> Paths:
-    sample, steps = np.arange(len(cost)), len(cost) - 1
-    prices = _prices(cost + tilt(sample[:, None], sample)) - reward
-    return Paths(prices, steps, np.zeros(1, dtype=np.intp), steps)

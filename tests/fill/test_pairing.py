@@ -1,4 +1,4 @@
-"""Which shape becomes which: by name, by what the user says, else by place and looks."""
+"""Which piece of a shape becomes which, and which hole: by place and size."""
 
 from collections.abc import Iterable
 from itertools import combinations, permutations
@@ -8,12 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from shapetween.fill.pairing import Pairing, Thing, pair_shapes, pair_things
-from shapetween.model.drawing import Shape
-from shapetween.model.paint import Colour, Gradient, Stop
-from tests.drawings import area, line, square
-
-RED, BLUE = Colour(1, 0, 0), Colour(0, 0, 1)
+from shapetween.fill.pairing import Pairing, Thing, pair_things
 
 
 def things(*places: tuple[float, float, float]) -> list[Thing]:
@@ -97,72 +92,3 @@ def test_strangers_are_left_alone_but_for_the_last_two() -> None:
     assert pair_things(near, far, 150, left=3).pairs == pairs((0, 0), (1, 1))
     assert pair_things(near[1:], far[1:], 150).pairs == pairs((0, 0))
     assert pair_things(things((0, 0, 1), (9, 9, 1)), things((90, 90, 50)), 150).pairs
-
-
-def paired(first: list[Shape], second: list[Shape]) -> tuple[tuple[int, int], ...]:
-    return pair_shapes(first, second, 140, []).pairs
-
-
-def test_names_win_over_places() -> None:
-    left, right = square(0, 0, 20), square(60, 0, 20)
-    first = [area(left, name="sun"), area(right, name="moon")]
-    second = [area(left, name="moon"), area(right, name="sun")]
-    assert paired(first, second) == pairs((0, 1), (1, 0))
-    unnamed = [area(left), area(right)]
-    assert paired(unnamed, unnamed) == pairs((0, 0), (1, 1))
-    assert paired(first, unnamed) == pairs((0, 0), (1, 1))
-
-
-@pytest.mark.parametrize("first", ["path4", "Layer_1"])
-def test_names_that_editors_give_only_help(first: str) -> None:
-    left, right = square(0, 0, 3), square(90, 0, 3)
-    one = [area(left, name=first), area(right, name="Vector")]
-    other = [area(left, name="Vector"), area(right, name=first)]
-    assert paired(one, other) == pairs((0, 0), (1, 1))
-    near = square(0.2, 0, 3)
-    halves = [area(left, name=first), area(near, name="Vector")]
-    turned = [area(left, name="Vector"), area(near, name=first)]
-    assert paired(halves, turned) == pairs((0, 1), (1, 0))
-
-
-def test_a_name_that_stands_twice_says_nothing() -> None:
-    left, right = square(0, 0, 20), square(60, 0, 20)
-    first = [area(left, name="leaf"), area(right, name="leaf")]
-    second = [area(right, name="leaf"), area(left, name="stem")]
-    assert paired(first, second) == pairs((0, 1), (1, 0))
-
-
-def test_what_the_user_says_wins_over_names() -> None:
-    left, right = square(0, 0, 20), square(60, 0, 20)
-    shapes = [area(left, name="sun"), area(right, name="moon")]
-    assert pair_shapes(shapes, shapes, 140, [(0, 1)]).pairs == pairs((0, 1), (1, 0))
-
-
-def test_colour_tells_where_place_does_not() -> None:
-    here, there = square(40, 40, 20), square(43, 40, 20)
-    # Among many shapes two neighbours in the paint order are almost at one place in it.
-    others = [area(square(0, 4 * k, 3), name=f"other-{k}") for k in range(9)]
-    first = [area(here, colour=RED), area(there, colour=BLUE), *others]
-    second = [area(here, colour=BLUE), area(there, colour=RED), *others]
-    assert paired(first, second)[:2] == pairs((0, 1), (1, 0))
-    stops = tuple(Stop(k / 2, RED) for k in range(3))
-    gradient = Gradient("linear", (0, 0, 1, 0), (1, 0, 0, 1, 0, 0), stops)
-    blended = [second[0], area(there, colour=gradient), *others]
-    assert paired(first, blended)[:2] == pairs((0, 1), (1, 0))
-
-
-def test_lines_become_lines_and_areas_areas() -> None:
-    stroke, filled = line((40, 40), (60, 60)), area(square(40, 40, 20))
-    assert paired([stroke, filled], [filled, stroke]) == pairs((0, 1), (1, 0))
-
-
-def test_twins_keep_their_paint_order() -> None:
-    twin = area(square(40, 40, 20))
-    assert paired([twin] * 3, [twin] * 3) == pairs((0, 0), (1, 1), (2, 2))
-
-
-def test_as_many_in_one_paint_all_have_partners() -> None:
-    first = [area(square(10 * k, 10, 6), colour=RED) for k in range(4)]
-    second = [area(square(10 * k, 45, 6), colour=RED) for k in range(4)]
-    assert paired(first, second) == pairs((0, 0), (1, 1), (2, 2), (3, 3))
-    assert len(paired(first[:3], second)) < 3

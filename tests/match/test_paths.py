@@ -7,7 +7,7 @@ import pytest
 
 from shapetween.base.arrays import Floats, Index
 from shapetween.match.band import band_path
-from shapetween.match.dynamic import cyclic_paths, open_path
+from shapetween.match.dynamic import cyclic_paths, priced_path
 from shapetween.match.moves import MOVES, SKEW_PRICE, TILT
 
 NONE = np.zeros(0, dtype=np.intp)
@@ -113,7 +113,9 @@ def test_a_band_that_breaks_off_has_no_path() -> None:
 
 def test_open_lines_are_matched_end_to_end() -> None:
     cost = np.abs(np.arange(9)[:, None] ** 2 / 8 - np.arange(9))
-    rows, columns = open_path(cost)
+    found = priced_path(cost, np.zeros_like(cost))
+    assert found is not None
+    rows, columns, _ = found
     assert (rows[0], columns[0], rows[-1], columns[-1]) == (0, 0, 8, 8)
     assert np.abs(columns - rows**2 / 8).max() <= 1
 

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from shapetween.geometry.affine import mapped
-from shapetween.model.drawing import Box, Drawing
+from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import fit_matrix
+from shapetween.model.paint import Colour, Gradient, Stop
 from shapetween.pipeline import Options, prepare
-from shapetween.scene.asked import Asked
+from shapetween.scene.asked import Asked, groups_of
 from shapetween.scene.features import Feature, features_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
@@ -21,6 +22,7 @@ from shapetween.scene.relations import Scene
 from shapetween.scene.sets import sets_of
 from shapetween.scene.strokes.outlined import as_lines
 from shapetween.svg.read.reader import read_svg
+from tests.drawings import BOX, area, line, square
 
 DATA = Path(__file__).resolve().parents[1] / "data" / "pairing"
 CORPUS = Path(__file__).resolve().parents[3] / "shared"
@@ -298,3 +300,84 @@ def test_a_thumb_turns_down_as_a_card_does() -> None:
     assert found.frame is not None
     assert found.frame.over == 1
     assert not found.roles.disappearing + found.roles.appearing
+
+
+RED, BLUE = Colour(1, 0, 0), Colour(0, 0, 1)
+
+
+def become(
+    first: Sequence[Shape], second: Sequence[Shape], *matches: tuple[str, str]
+) -> list[tuple[int, int]]:
+    """Which shapes become which, in a drawing of a hundred units."""
+    views = corners(BOX), corners(BOX)
+    one, other = (items_of(side, "it")[0] for side in (first, second))
+    found = pair_items(one, other, views, Asked(groups_of(first, second, matches)))
+    a, b = found.scenes
+    return sorted((a.items[r.first].shape, b.items[r.second].shape) for r in found.roles.pairs)
+
+
+def test_names_win_over_places() -> None:
+    left, right = square(0, 0, 20), square(60, 0, 20)
+    first = [area(left, name="sun"), area(right, name="moon")]
+    second = [area(left, name="moon"), area(right, name="sun")]
+    assert become(first, second) == [(0, 1), (1, 0)]
+    unnamed = [area(left), area(right)]
+    assert become(unnamed, unnamed) == [(0, 0), (1, 1)]
+    assert become(first, unnamed) == [(0, 0), (1, 1)]
+
+
+@pytest.mark.parametrize("first", ["path4", "Layer_1"])
+def test_names_that_editors_give_only_help(first: str) -> None:
+    left, right = square(0, 0, 3), square(90, 0, 3)
+    one = [area(left, name=first), area(right, name="Vector")]
+    other = [area(left, name="Vector"), area(right, name=first)]
+    assert become(one, other) == [(0, 0), (1, 1)]
+    places = [square(40, 0, 6), square(48, 0, 11), square(40, 10, 10.7), square(48, 10, 6.5)]
+    bed = area(square(0, 20, 30))
+    halves = [bed, area(places[0], name=first), area(places[1], name="Vector")]
+    turned = [bed, area(places[2], name=first), area(places[3], name="Vector")]
+    assert become(halves, turned) == [(0, 0), (1, 1), (2, 2)]
+    unnamed = [area(place) for place in places]
+    assert become([bed, *unnamed[:2]], [bed, *unnamed[2:]]) == [(0, 0), (1, 2), (2, 1)]
+
+
+def test_a_name_that_stands_twice_says_nothing() -> None:
+    left, right = square(0, 0, 20), square(60, 0, 20)
+    first = [area(left, name="leaf"), area(right, name="leaf")]
+    second = [area(right, name="leaf"), area(left, name="stem")]
+    assert become(first, second) == [(0, 1), (1, 0)]
+
+
+def test_what_the_user_says_wins_over_names() -> None:
+    left, right = square(0, 0, 20), square(60, 0, 20)
+    shapes = [area(left, name="sun"), area(right, name="moon")]
+    assert become(shapes, shapes, ("sun", "moon"), ("moon", "sun")) == [(0, 1), (1, 0)]
+
+
+def test_colour_tells_where_place_does_not() -> None:
+    here, there = square(40, 40, 20), square(43, 40, 20)
+    others = [area(square(0, 4 * k, 3), name=f"other-{k}") for k in range(9)]
+    first = [area(here, colour=RED), area(there, colour=BLUE), *others]
+    second = [area(here, colour=BLUE), area(there, colour=RED), *others]
+    assert become(first, second)[:2] == [(0, 1), (1, 0)]
+    stops = tuple(Stop(k / 2, RED) for k in range(3))
+    gradient = Gradient("linear", (0, 0, 1, 0), (1, 0, 0, 1, 0, 0), stops)
+    blended = [second[0], area(there, colour=gradient), *others]
+    assert become(first, blended)[:2] == [(0, 1), (1, 0)]
+
+
+def test_lines_become_lines_and_areas_areas() -> None:
+    stroke, filled = line((40, 40), (60, 60)), area(square(40, 40, 20))
+    assert become([stroke, filled], [filled, stroke]) == [(0, 1), (1, 0)]
+
+
+def test_twins_keep_their_paint_order() -> None:
+    twin = area(square(40, 40, 20))
+    assert become([twin] * 3, [twin] * 3) == [(0, 0), (1, 1), (2, 2)]
+
+
+def test_as_many_in_one_paint_all_have_partners() -> None:
+    first = [area(square(10 * k, 10, 6), colour=RED) for k in range(4)]
+    second = [area(square(10 * k, 45, 6), colour=RED) for k in range(4)]
+    assert become(first, second) == [(0, 0), (1, 1), (2, 2), (3, 3)]
+    assert become(first[:3], second) != become(first, second)

@@ -92,7 +92,6 @@ PLACELESS = frozenset(
     {"feBlend", "feColorMatrix", "feComponentTransfer", "feComposite", "feFlood", "feMerge"}
     | LENGTHS.keys()
 )
-_COLOUR_NAMES = frozenset({"flood-color", "lighting-color"})
 
 #: CSS filter functions of one amount, as the slopes and intercepts of their components.
 _TRANSFERS: dict[str, Callable[[float], tuple[float, float]]] = {
