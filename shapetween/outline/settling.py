@@ -37,9 +37,16 @@ LEAST = 0.1
 #: Least step between two places, as a share of an even one.
 LEAST_STEP = 1e-3
 
-#: How far a place may move along its outline, as a share of the length. Farther, and tips leave
-#: what they were matched with; less, and long spines widen.
-FARTHEST = 0.02
+#: How far a place may move, in the common parameter, which says more than lengths: where one of the
+#: outlines goes far the other hardly moves. Farther, and limbs leave what they were matched with;
+#: less, and long spines widen.
+FARTHEST = 0.015
+
+#: Detail, in roots of the area, that has a tip, the share of it from which on the other outline has
+#: nothing like it, and how far apart tips are, as a share of the outline. A tip stays with what it
+#: was matched with. More of either, and tips wander; less, and every notch beside a limb holds to
+#: its place, which then widens. Nearer, and roots of limbs count as tips.
+TIP, OWN, APART = 0.02, 0.5, 0.06
 
 #: Turn of a corner, radians, from which on the place matched with it stays. More cuts corners off;
 #: less holds on to every bend of a hand-drawn line.
@@ -58,7 +65,7 @@ def settled(source: ArcLength, target: ArcLength, u: Floats, v: Floats) -> tuple
     Returns
     -------
     u, v : (M,) float64
-        Corners are matched with what they were.
+        Corners, and tips of limbs, are matched with what they were.
     """
     knots = (u - u[0] + v - v[0]) / 2
     even = np.arange(PLACES + 1) / PLACES
@@ -67,12 +74,16 @@ def settled(source: ArcLength, target: ArcLength, u: Floats, v: Floats) -> tuple
         as_complex(side.point(turn(places[:-1]))) / np.sqrt(abs(side.outline.area))
         for side, places in zip((source, target), at, strict=True)
     ]
-    _, shares = at_scale((points[0], points[1]), SCALE)
+    plain, shares = at_scale((points[0], points[1]), SCALE)
+    tips = [_tips(*side) for side in zip(points, plain, shares, strict=True)]
     progress = [_progress(z) for z in points]
     first = _shared_out(at[0], shares[1], progress[1])
     second = _shared_out(at[1], shares[0], progress[0])
     stay = [_corners(side, places) for side, places in zip((source, target), at, strict=True)]
-    return _held(at[0], first, stay[0]), _held(at[1], second, stay[1])
+    return (
+        _held(at[0], first, np.union1d(stay[0], tips[1])),
+        _held(at[1], second, np.union1d(stay[1], tips[0])),
+    )
 
 
 def _progress(points: Complex) -> Floats:
@@ -81,6 +92,20 @@ def _progress(points: Complex) -> Floats:
     size = np.abs(ground)
     along = (steps * ground.conj()).real / np.where(size > 0, size, 1.0)
     return np.asarray(np.maximum(smoothed(along, SMOOTH).real, LEAST * np.abs(steps).mean()))
+
+
+def _tips(points: Complex, plain: Complex, share: Floats) -> Floats:
+    """Where, in steps, detail that the other has nothing like reaches farthest, increasing."""
+    along = way(plain)
+    size = np.abs(along)
+    away = np.abs(((points - plain) * along.conj()).imag) / np.where(size > 0, size, 1.0)
+    near = int(APART * len(points))
+    around = np.max([np.roll(away, k) for k in range(-near, near + 1)], axis=0)
+    at = np.flatnonzero((away == around) & (away > TIP) & (share > OWN))
+    before, after = away[at - 1], away[(at + 1) % len(points)]
+    bend = before - 2 * away[at] + after
+    between = (before - after) / np.where(bend < 0, 2 * bend, np.inf)
+    return np.asarray(np.sort((at + between) % len(points)))
 
 
 def _shared_out(at: Floats, share: Floats, progress: Floats) -> Floats:
@@ -111,6 +136,10 @@ def _held(at: Floats, steps: Floats, corners: Floats) -> Floats:
     else:
         places = walked / walked[-1]
         places = places + (at - places).mean()
-    places = at + FARTHEST * np.tanh((places - at) / FARTHEST)
+    even = np.arange(len(at)) / (len(at) - 1)
+    around = np.concatenate([even[:-1] - 1, even, even[1:] + 1])
+    there = np.concatenate([at[:-1] - 1, at, at[1:] + 1])
+    moved = np.interp(places, there, around) - even
+    places = np.interp(even + FARTHEST * np.tanh(moved / FARTHEST), around, there)
     places[-1] = places[0] + 1
     return np.asarray(places)
