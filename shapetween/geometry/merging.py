@@ -38,8 +38,8 @@ ALONG = 0.25
 #: of that form. Smaller and rounding tells them apart; larger and slow turns are taken for none.
 ALIKE = 1e-8
 
-#: Times up to which all are looked at, whatever the form.
-FEW = 3
+#: Times up to which all are looked at, whatever the form, and curves that are asked for it first.
+FEW, SOME = 3, 16
 
 #: Samples that are looked at before all are: most neighbours are seen not to be one at once.
 FIRST_LOOK = 5
@@ -69,7 +69,10 @@ def merged_curves(
     rings : tuple of int
         Each at least one curve; those without any stay so.
     """
-    alike = _alike(curves, ALIKE * min(between, ends))
+    reach = ALIKE * min(between, ends)
+    alike = _alike(curves[:, :SOME], reach)
+    if alike is not None and curves.shape[1] > SOME:
+        alike = _alike(curves, reach)
     if alike is not None:
         return _merged_alike(curves, rings, between, ends, alike)
     allowed = np.full(len(curves), between)

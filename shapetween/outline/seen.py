@@ -80,9 +80,14 @@ def _wound_wrongly(rings: list[Points]) -> tuple[float, float]:
     winding = np.zeros(len(faces))
     segments = sum(len(ring) for ring in rings)
     for some in np.array_split(np.arange(len(faces)), 1 + len(faces) * segments // AT_ONCE):
+        x, y = inside[some, :1], inside[some, 1:]
         for ring in closed:
-            z = (ring - inside[some, None]) @ [1, 1j]
-            winding[some] += np.angle(z[:, 1:] / z[:, :-1]).sum(axis=1) / (2 * np.pi)
+            u, v = ring.T
+            # Edges that go up past a place on its right, less those that go down there.
+            above = v > y
+            up = above[:, 1:].astype(np.int8) - above[:, :-1]
+            side = np.diff(u) * (y - v[:-1]) - (x - u[:-1]) * np.diff(v)
+            winding[some] += (up * (side * up > 0)).sum(axis=1)
     wrong = (np.abs(winding) > 0.5) & (np.abs(winding - 1) > 0.5)
     areas, lengths = shapely.area(faces)[wrong], shapely.length(faces)[wrong]
     return float(areas.sum()), float((2 * areas / lengths).max(initial=0.0))

@@ -57,8 +57,10 @@ def fitted_keyframes(samples: Floats, times: Floats, tolerance: float) -> tuple[
         count = (low + high) // 2
         knots = _spread(cumulated, times, count)
         values = _fitted(flat, hat_functions(times, knots))
-        off = (hat_functions(times, knots) @ values - flat).reshape(samples.shape)
-        if np.sqrt((off**2).sum(-1)).max() <= tolerance:
+        off = hat_functions(times, knots) @ values
+        off -= flat
+        off *= off
+        if np.sqrt(off.reshape(*samples.shape[:2], -1).sum(axis=-1).max()) <= tolerance:
             best, high = (knots, values.reshape(count, *samples.shape[1:])), count
         else:
             low = count
@@ -103,5 +105,6 @@ def _fitted(flat: Floats, weights: Floats) -> Floats:
     rest = flat - weights[:, [0, -1]] @ values[[0, -1]]
     inner = weights[:, 1:-1]
     if inner.shape[1]:
-        values[1:-1] = np.linalg.lstsq(inner, rest, rcond=None)[0]
+        # Solved for each sample once: there are far more points than samples.
+        values[1:-1] = np.linalg.lstsq(inner, np.eye(len(inner)), rcond=None)[0] @ rest
     return values
