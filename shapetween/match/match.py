@@ -36,6 +36,10 @@ __all__ = ["best_matching", "best_matchings", "upright_matching_cost"]
 #: is laid on its side to become a C.
 SYMMETRY_RATIO = 1.25
 
+#: The same where one of them is so but for a tuft. Nearer to 1, and a hammer's claw and face grow
+#: alike into a pick; less leaves a lamp to burn askew.
+NEARLY_RATIO = 0.9
+
 #: Matchings kept of each frame.
 PER_FRAME = 3
 
@@ -216,9 +220,12 @@ class _Comparison:
         entries = [
             _Ranked(c.cost + unrewarded, c, rewards) for c in self._in_frame(angle, rewards, forced)
         ]
-        entries += [_Ranked((c.cost + unrewarded) / SYMMETRY_RATIO, c, rewards) for c in even]
+        meant = a.axes.even and b.axes.even
+        ratio = SYMMETRY_RATIO if meant else NEARLY_RATIO
+        entries += [_Ranked((c.cost + unrewarded) / ratio, c, rewards) for c in even]
         best = min(entries, key=lambda entry: entry.cost)
-        return _Found(Frame(angle, self._mean(unlike, best.candidate)), entries, best, bool(even))
+        frame = Frame(angle, self._mean(unlike, best.candidate))
+        return _Found(frame, entries, best, bool(even) and meant)
 
     def _factor(self, upright: _Found, turned: _Found) -> float:
         """What the costs of a turned frame are weighed by against those as drawn."""

@@ -14,6 +14,11 @@ __all__ = ["Axes", "aligned_ends", "mirror_axes"]
 #: lopsided thing for an even one; of nine corners at random one in ten has a tenth.
 MOST_DEVIATION = 0.035
 
+#: The same of an outline that has no axis by that, where the other is even to the eye, which is the
+#: other figure: it is even but for a flame or a tuft on one side. Larger takes letters for even;
+#: smaller tells a lamp from a lamp that burns.
+NEARLY, TO_THE_EYE = 0.08, 0.003
+
 #: Deviation up to which an outline is a disc, the mirror image of itself about any line through its
 #: centre. Larger takes the corners off a polygon of ten sides; smaller gives a disc of four cubics
 #: the axes that these have.
@@ -56,11 +61,30 @@ class Axes:
     around : (N + 1,) float64 or None
         Of a disc, to which every line through its centre is an axis: the angles at which its
         samples lie, increasing over one turn. It has no other ends.
+    deviations : (K,) float64, optional
+        From its mirror image, as shares of that about any line; all even to the eye if left out.
     """
 
     ends: Floats
     directions: Floats
     around: Floats | None = None
+    deviations: Floats | None = None
+
+    @property
+    def even(self) -> bool:
+        """Whether the outline is symmetric, or meant to be."""
+        return self.around is not None or bool((self._deviations <= MOST_DEVIATION).any())
+
+    def beside(self, other: "Axes") -> "Axes":
+        """Those that count where the other outline has some axes."""
+        to_the_eye = other.around is not None or (other._deviations <= TO_THE_EYE).any()
+        most = NEARLY if to_the_eye and not self.even else MOST_DEVIATION
+        kept = self._deviations <= most
+        return Axes(self.ends[kept], self.directions[kept], self.around, self._deviations[kept])
+
+    @property
+    def _deviations(self) -> Floats:
+        return np.zeros(len(self.ends)) if self.deviations is None else self.deviations
 
     def towards(self, directions: Floats) -> Floats:
         """Fractions of a disc's length in some directions."""
@@ -96,18 +120,23 @@ def mirror_axes(points: Points) -> Axes:
         return Axes(np.zeros(0), np.zeros(0), around)
     before, after = np.roll(deviation, 1), np.roll(deviation, -1)
     twice = np.flatnonzero(
-        (deviation < MOST_DEVIATION * deviation.mean())
-        & (deviation <= before)
-        & (deviation < after)
+        (deviation < NEARLY * deviation.mean()) & (deviation <= before) & (deviation < after)
     )
     # The least deviation lies between samples: at the vertex of the parabola through three.
     bend = before[twice] - 2 * deviation[twice] + after[twice]
     between = (before[twice] - after[twice]) / (2 * bend)
     half = np.round((twice + between) / (2 * count) / END_STEP) * END_STEP % 0.5
-    ends = np.sort(np.concatenate([half, half + 0.5]))
+    ends = np.concatenate([half, half + 0.5])
+    order = np.argsort(ends)
+    ends, own = ends[order], np.tile(deviation[twice] / deviation.mean(), 2)[order]
     places = np.append(z, z[:1])
     end, other = np.interp(np.stack([ends, ends + 0.5]) % 1 * count, np.arange(count + 1), places)
-    return Axes(ends, np.angle(end - other))
+    # A tuft moves the ends; all of the outline says more.
+    way = np.angle(sums[twice] + between * (sums[(twice + 1) % count] - sums[twice - 1]) / 2) / 2
+    way = np.tile(way, 2)[order]
+    return Axes(
+        ends, np.where(np.cos(way - np.angle(end - other)) > 0, way, way + np.pi), None, own
+    )
 
 
 def aligned_ends(a: Axes, b: Axes, angle: float) -> list[Floats]:
@@ -121,6 +150,7 @@ def aligned_ends(a: Axes, b: Axes, angle: float) -> list[Floats]:
     list of (2 g, 2) float64
         Rows a, b of the fractions of the ends that belong together, each increasing over one turn.
     """
+    a, b = a.beside(b), b.beside(a)
     if a.around is not None and b.around is None and len(b.ends):
         return [np.column_stack(_over_one_turn(a.towards(b.directions - angle), b.ends))]
     if b.around is not None and a.around is None and len(a.ends):

@@ -17,17 +17,18 @@ __all__ = ["evened"]
 #: Chords that a curve is looked at with. Fewer miss where on a bend an image is; more cost time.
 CHORDS = 4
 
-#: Distance, as a share of the drawing's longer side, of every node's mirror image from the place
-#: that it is matched with, at both ends, up to which the matching is even. Larger takes a lopsided
-#: one for even; smaller leaves hand-drawn hearts uneven.
+#: Distance, as a share of the drawing's longer side, of a node's mirror image from what it is
+#: matched with, at both ends, up to which it is even; at twice that it is by itself. Larger
+#: bends what is on one side alone; smaller leaves hand-drawn hearts uneven.
 SAME_PLACE = 0.05
 
 #: Power of the time with which what is uneven at an end fades. Smaller is seen half-way; larger
 #: makes nodes rush along the outline at both ends.
 FADING = 3
 
-#: Share of the nodes whose images must be. Less evens what has a handle on one side.
-NEARLY_ALL = 0.95
+#: Share of the nodes that are even, some in part, from which on the drawing is. Less takes
+#: lopsided ones for even; more leaves what has a tuft on one side.
+NEARLY_ALL = 0.75
 
 
 def evened(body: Carried) -> Carried:
@@ -38,7 +39,8 @@ def evened(body: Carried) -> Carried:
         return body
     if outer[0].matching.affine is not None:
         return body
-    axes = [prepare(outline).axes for outline in (outer[0].source, outer[0].target)]
+    known = [prepare(outline).axes for outline in (outer[0].source, outer[0].target)]
+    axes = [known[0].beside(known[1]), known[1].beside(known[0])]
     if not all(len(side.directions) or side.around is not None for side in axes):
         return body
     t = np.linspace(0, 1, CHECKED_TIMES)
@@ -50,7 +52,7 @@ def evened(body: Carried) -> Carried:
     found = _partners(nodes, places, following, axes)
     if found is None:
         return body
-    chord, share, first, second = found
+    chord, share, weight, first, second = found
     turn = outer[0].matching.turn
     aside = (second - first - turn + np.pi / 2) % np.pi - np.pi / 2
     angles = first + t * (turn + aside)
@@ -59,7 +61,7 @@ def evened(body: Carried) -> Carried:
     time = t[:, None]
     # At the ends what is uneven lies along the outlines and is not seen.
     gap -= (1 - time) ** FADING * gap[:1] + time**FADING * gap[-1:]
-    moved = pushed(body, motion, gap / 2)
+    moved = pushed(body, motion, weight * gap / 2)
     return moved if moved.crossing <= body.crossing else body
 
 
@@ -74,7 +76,7 @@ def _following(counts: tuple[int, ...]) -> Index:
 
 def _partners(
     nodes: Complex, places: Complex, following: Index, axes: list[Axes]
-) -> tuple[Index, Floats, float, float] | None:
+) -> tuple[Index, Floats, Floats, float, float] | None:
     """Where each node's mirror image is, at both ends alike; None if they are not even.
 
     Returns
@@ -83,6 +85,8 @@ def _partners(
         The place from which a chord leads there.
     share : (N,) float64
         How far along it.
+    weight : (N,) float64
+        How even each node is, from 0 to 1.
     first, second : float
         Angles of the axis at both ends.
     """
@@ -101,12 +105,13 @@ def _partners(
             share = np.clip(share, 0.0, 1.0)
             far = np.abs(offset - share * way[:, None]).max(axis=0)
             nearest = far.argmin(axis=1)
-            even = (far.min(axis=1) < SAME_PLACE).mean() >= NEARLY_ALL
+            weight = np.clip(2 - far.min(axis=1) / SAME_PLACE, 0.0, 1.0)
+            even = weight.mean() >= NEARLY_ALL
             # Of several axes the one that the eye sees first: upright, or level.
             aslant = float(np.abs(np.sin(2 * np.array([first, second]))).sum())
             if even and aslant < least - 1e-6:
                 along = share[np.arange(len(nearest)), nearest]
-                best, least = (nearest, along, float(first), float(second)), aslant
+                best, least = (nearest, along, weight, float(first), float(second)), aslant
     return best
 
 

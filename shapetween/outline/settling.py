@@ -100,7 +100,8 @@ def _tips(points: Complex, plain: Complex, share: Floats) -> Floats:
     size = np.abs(along)
     away = np.abs(((points - plain) * along.conj()).imag) / np.where(size > 0, size, 1.0)
     near = int(APART * len(points))
-    around = np.max([np.roll(away, k) for k in range(-near, near + 1)], axis=0)
+    beside = np.concatenate([away[-near:], away, away[:near]])
+    around = np.lib.stride_tricks.sliding_window_view(beside, 2 * near + 1).max(axis=1)
     at = np.flatnonzero((away == around) & (away > TIP) & (share > OWN))
     before, after = away[at - 1], away[(at + 1) % len(points)]
     bend = before - 2 * away[at] + after

@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Floats, Points
-from shapetween.match import correspond
+from shapetween.match import correspond, costs, match, symmetry
 from shapetween.match.correspondence import Correspondence
 from shapetween.match.sampling import sample
 from shapetween.match.symmetry import Axes, aligned_ends, mirror_axes
@@ -74,6 +74,37 @@ def test_a_small_tail_makes_an_outline_lopsided() -> None:
     assert len(mirror_axes(sample(polygon(tailed)).points).ends) == 0
 
 
+def tufted(seed: int) -> tuple[Outline, Outline]:
+    """A vase with a tuft on one side, and another vase."""
+    points = vase(seed, 7)
+    tuft = points[6] * [0, 1] + [0.5, 0.5]
+    return polygon(np.insert(points, 7, tuft, axis=0)), polygon(vase(seed + 1, 5))
+
+
+@pytest.mark.parametrize("seed", [34, 46])
+def test_what_is_even_but_for_a_tuft_is_matched_so(
+    monkeypatch: pytest.MonkeyPatch, seed: int
+) -> None:
+    a, b = tufted(seed)
+    first, second = (mirror_axes(sample(outline).points) for outline in (a, b))
+    assert not first.even
+    assert len(first.beside(second).ends) == len(second.beside(first).ends) == 2
+    assert len(first.beside(first).ends) == 0
+    even = correspond(a, b)
+    assert unevenness(even, a, b) < 1e-6
+    for module, name, value in (
+        (match, "NEARLY_RATIO", 0.5),
+        (symmetry, "NEARLY", symmetry.MOST_DEVIATION),
+        (symmetry, "TO_THE_EYE", -1.0),
+    ):
+        with monkeypatch.context() as patch:
+            patch.setattr(module, name, value)
+            costs.prepare.cache_clear()
+            assert target_at(correspond(a, b), GRID) != pytest.approx(
+                target_at(even, GRID), abs=1e-3
+            )
+
+
 def axes(*directions: float) -> Axes:
     angles = np.array([*directions, *(d + np.pi for d in directions)])
     ends: Floats = np.linspace(0, 1, len(angles), endpoint=False)
@@ -92,6 +123,16 @@ def test_every_axis_of_the_one_with_fewer_is_paired() -> None:
     many = axes(*(np.pi * np.arange(7) / 7))
     for pairs in (aligned_ends(many, axes(0.5), 0.0), aligned_ends(axes(0.5), many, 0.0)):
         assert len(pairs) == 1
+
+
+def test_axes_that_lean_are_tried_only_where_none_is_drawn_alike(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ends = np.array([0.0, 0.1, 0.5, 0.6])  # not regular, so that each axis is by itself
+    first, second = (Axes(ends, axes(0.0, lean).directions) for lean in (0.5, 0.55))
+    assert len(aligned_ends(first, second, 0.001)) == 1
+    monkeypatch.setattr(symmetry, "ALIGNED", 0.0)
+    assert len(aligned_ends(first, second, 0.001)) == 2
 
 
 @settings(max_examples=10)
