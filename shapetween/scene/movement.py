@@ -23,7 +23,6 @@ from shapetween.scene.exchange import (
     behind_both,
     exchange_goings,
     exchange_roles,
-    in_lines,
     too_different,
 )
 from shapetween.scene.features import MOST_ITEMS
@@ -163,11 +162,7 @@ def move_scene(
             {role.second: tracks[k] for k, role in enumerate(roles.pairs)},
         )
         if exchange:
-            lines = in_lines(a, b)
-            goings = (
-                exchange_goings(a, roles.disappearing, End.SOURCE, lines=lines),
-                exchange_goings(b, roles.appearing, End.TARGET, lines=lines),
-            )
+            goings = exchange_goings(a, b, roles)
         else:
             goings = goings_between(
                 (a, b), anchors, (roles.disappearing, roles.appearing), asked.change
