@@ -9,7 +9,15 @@ import pytest
 from shapetween.base.arrays import Points
 from shapetween.fill.regions import regions_of
 from shapetween.geometry.polygon import polygon_area
+from shapetween.match.bends import bends_alike, plainly_the_same
+from shapetween.match.candidate import Candidate, apart
+from shapetween.match.certainty import doubt
+from shapetween.match.costs import prepare
+from shapetween.match.even import even_matchings
+from shapetween.match.frames import Frame, Standing, handicap
 from shapetween.match.matcher import Matcher
+from shapetween.match.register import register
+from shapetween.match.symmetry import Axes, aligned_ends, mirror_axes
 from shapetween.model.outline import Outline
 from shapetween.svg.read.reader import read_svg
 from tests.baseline import assert_known
@@ -102,3 +110,84 @@ def test_matchings_with_pins_are_known(case: str) -> None:
     pins = np.array([[0.1, 0.3], [0.45, 0.62]])
     found = matcher(case).match(pins)
     assert_known("match", f"pins on {case}", [found.cost, found.turn, *after(found.u, found.v)])
+
+
+def test_how_alike_bends_are_is_known() -> None:
+    figures = []
+    for case in ("round stars", "T and T that leans", "horse and kangaroo"):
+        found = matcher(case).match()
+        sides = prepare(matcher(case).source), prepare(matcher(case).target)
+        starts = [side.samples.start for side in sides]
+        candidate = Candidate(found.u - starts[0], found.v - starts[1], found.cost, found.turn)
+        figures.append(bends_alike(*sides, candidate))
+    figures += [plainly_the_same(at, 0.7 * at) for at in np.linspace(0.5, 0.9, 9).tolist()]
+    assert_known("match", "bends", figures)
+
+
+def test_doubts_are_known() -> None:
+    figures = [
+        doubt([best, 1.3 * best, 2 * best + 0.01], [0.0, away, 0.6 * away])
+        for best in (0.004, 0.013, 0.05, 0.3)
+        for away in (0.01, 0.07, 0.15, 0.4)
+    ]
+    assert_known("match", "doubts", figures)
+
+
+def test_what_turned_frames_have_to_be_better_by_is_known() -> None:
+    figures = []
+    for turn in (0.4, 1.75, 2.6):
+        for slender, roundness in ((0.5, 0.5), (1.4, 0.75), (3.0, 0.95)):
+            for unlike, stand in ((0.03, False), (0.17, True), (0.5, True)):
+                sides = Standing(slender, 0.3, roundness), Standing(slender, 1.6, roundness)
+                frames = Frame(0.0, 0.4 * unlike), Frame(turn, unlike)
+                figures.append(handicap(*frames, *sides, stand=stand, plain=0.3))
+    assert_known("match", "frames", figures)
+
+
+def test_axes_are_known() -> None:
+    """Of outlines that are ever less even, and by how much these lean."""
+    figures = []
+    angle = 2 * np.pi * np.arange(96) / 96
+    ways = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    for off in (0.0, 3e-5, 1.5e-4, 0.01, 0.05, 0.09, 0.2):
+        wave = 1 + 0.2 * off * np.cos(angle) + off * np.cos(3 * angle + 40 * off)
+        axes = mirror_axes(ways * wave[:, None])
+        figures += [float(len(axes.ends)), float(axes.around is not None), float(axes.ends.sum())]
+    for lean in (0.005, 0.015, 0.03, 0.05, 0.4, 0.9):
+        one = Axes(np.array([0.1, 0.6]), np.array([0.0, 0.05 + lean]), None)
+        other = Axes(np.array([0.2, 0.7]), np.array([lean, 0.3]), None)
+        found = aligned_ends(one, other, 0.0)
+        figures += [float(len(found)), *(float(ends.sum()) for ends in found)]
+    assert_known("match", "axes", figures)
+
+
+def test_matchings_of_even_outlines_are_known() -> None:
+    """Regular ones that are ever less so, of many axes and few."""
+    figures = []
+    for corners, bent in ((3, 0.0), (8, 0.0), (8, 0.04), (8, 0.09), (12, 0.0)):
+        angle = 2 * np.pi * np.arange(2 * corners) / (2 * corners)
+        radius = np.where(np.arange(2 * corners) % 2, 0.6, 1.0)
+        shift = bent * np.sin(np.pi * np.arange(2 * corners) / corners)
+        ways = np.stack([np.cos(angle + shift), np.sin(angle + shift)], axis=1)
+        sides = prepare(polygon(ways * radius[:, None])), prepare(polygon(T - [3.5, 0.0]))
+        rewards = np.zeros((len(sides[0].vertices.index), len(sides[1].vertices.index)))
+        found = even_matchings(*sides, 0.0, rewards)
+        figures += [float(len(found)), *(each.cost for each in found)]
+        figures += [float(each.b[len(each.b) // 3]) for each in found]
+    assert_known("match", "even", figures)
+
+
+def test_how_far_matchings_are_apart_is_known() -> None:
+    best, *others = matcher("hammer and wrench").alternatives()
+    assert_known("match", "apart", [apart(best, other) for other in others])
+
+
+def test_affine_maps_are_known() -> None:
+    """How nearly one outline must be an affine image of another to count as one."""
+    figures = []
+    for seed, off in ((8, 3e-4), (8, 1.1e-3), (8, 2.4e-3), (9, 1.2e-3), (4, 6e-4), (4, 3e-3)):
+        one = star(seed)
+        rough = one + off * np.random.default_rng(seed).uniform(-1, 1, one.shape)
+        found = register(polygon(one), polygon(rough).transformed(rotation(0.7, 3.0)))
+        figures += [0.0] if found is None else [float(len(found.u)), found.turn, found.matrix[0, 0]]
+    assert_known("match", "affine", figures)
