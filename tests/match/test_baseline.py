@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from shapetween.base.arrays import Points
+from shapetween.base.errors import OptionError
 from shapetween.fill.regions import regions_of
 from shapetween.geometry.polygon import polygon_area
 from shapetween.match.bends import bends_alike, plainly_the_same
@@ -44,6 +45,11 @@ def leaning(points: Points, degrees: float) -> Points:
     return points @ rotation(np.radians(degrees))[:, :2].T
 
 
+def bent(points: Points, degrees: float) -> Points:
+    """Leaning, and a little another shape."""
+    return leaning(points + 0.06 * np.sin(7 * points[:, ::-1]), degrees)
+
+
 CASES = {
     "stars": lambda: (polygon(star(3)), polygon(star(5))),
     "round stars": lambda: (rounded(star(11, 7)), rounded(star(12, 7))),
@@ -56,6 +62,9 @@ CASES = {
         polygon(star(8)),
         polygon(star(8)).transformed(rotation(0.7, 3.0)),
     ),
+    "a star that leans a little": lambda: (rounded(star(4, 6)), rounded(bent(star(4, 6), 9))),
+    "a star that leans": lambda: (rounded(star(4, 6)), rounded(bent(star(4, 6), 22))),
+    "a star that leans more": lambda: (rounded(star(4, 6)), rounded(bent(star(4, 6), 40))),
     "U and T": lambda: (polygon(U), polygon(T)),
     "T and T that leans": lambda: (polygon(T), polygon(leaning(T * [1.0, 0.8], 35))),
     "a bar and one that stands": lambda: (polygon(BAR), polygon(leaning(BAR * [1.0, 0.6], 75))),
@@ -155,7 +164,7 @@ def test_axes_are_known() -> None:
         figures += [float(len(axes.ends)), float(axes.around is not None), float(axes.ends.sum())]
     for lean in (0.005, 0.015, 0.03, 0.05, 0.4, 0.9):
         one = Axes(np.array([0.1, 0.6]), np.array([0.0, 0.05 + lean]), None)
-        other = Axes(np.array([0.2, 0.7]), np.array([lean, 0.3]), None)
+        other = Axes(np.array([0.2, 0.7]), np.array([lean, 0.05 + lean + 0.06]), None)
         found = aligned_ends(one, other, 0.0)
         figures += [float(len(found)), *(float(ends.sum()) for ends in found)]
     assert_known("match", "axes", figures)
@@ -175,6 +184,19 @@ def test_matchings_of_even_outlines_are_known() -> None:
         figures += [float(len(found)), *(each.cost for each in found)]
         figures += [float(each.b[len(each.b) // 3]) for each in found]
     assert_known("match", "even", figures)
+
+
+def test_which_pins_lie_on_their_outlines_is_known() -> None:
+    one = Matcher(polygon(T), polygon(T * [1.0, 1.3]))
+    kept = []
+    for off in (0.1, 0.3, 0.45, 0.7, 1.1):
+        try:
+            found = one.match(np.array([[3.5, 9.0 + off, 3.5, 11.7]]))
+        except OptionError:
+            kept.append(0.0)
+        else:
+            kept.append(float(len(found.u)))
+    assert_known("match", "pins beside", kept)
 
 
 def test_how_far_matchings_are_apart_is_known() -> None:
