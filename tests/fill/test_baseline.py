@@ -159,4 +159,7 @@ def test_where_regions_close_is_known() -> None:
     for inner in (0.1, 0.35, 0.5, 0.65, 0.85):
         crescent = polygon(np.concatenate([ways, inner * ways[::-1]]))
         figures += AppearingRegion.of(crescent, (), End.SOURCE, None).centre.tolist()
+    for arm in (0.9, 0.8, 0.7, 0.6, 0.5, 0.4):
+        corner = ring([(0, 0), (1, 0), (1, 1 - arm), (1 - arm, 1 - arm), (1 - arm, 1), (0, 1)])
+        figures += AppearingRegion.of(corner, (), End.SOURCE, None).centre.tolist()
     assert_known("fill", "closing", figures)
