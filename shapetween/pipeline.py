@@ -24,7 +24,7 @@ from shapetween.model.gradients import has_gradient
 from shapetween.model.movement import Movement
 from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
-from shapetween.scene.asked import PRICES, Asked, Change, Pairing, groups_of
+from shapetween.scene.asked import PRICES, Asked, Change, Exchange, Pairing, groups_of
 from shapetween.scene.exchange import pierced_apart
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
@@ -212,7 +212,9 @@ def prepare(
     boxes = _corners(source.box), mapped(_corners(target.box), matrix)
     free = chosen.pairing != "loose" and not (groups or len(pins) or meshed or chosen.change)
     free = free and chosen.matching == 1
-    asked = Asked(groups, PRICES[chosen.pairing], chosen.change, pins, exchange=free)
+    asked = Asked(
+        groups, PRICES[chosen.pairing], chosen.change, pins, "unlike" if free else "never"
+    )
     parts, areas, moved, scene = _moved(source.shapes, shapes[1], boxes, asked, settings, names)
     notices += moved
     settings.check_used()
@@ -254,16 +256,18 @@ def _moved(
         if apart is not None:
             return _scene(as_lines(*apart), boxes, asked, settings, names, notices)
     lines = _lined(one, other, boxes)
-    if asked.exchange and len(one) == len(other) == 1:
-        if _pierced_apart(one[0], other[0], lines, settings):
-            return _scene((one, other), boxes, asked, settings, names, notices)
-        asked = replace(asked, exchange=len(lines[0]) + len(lines[1]) > 2)
-    if not (free and _two_outlines(one, other)) or swells(one[0], other[0], lines):
+    areas = free and _two_outlines(one, other) and not swells(one[0], other[0], lines)
+    if asked.exchange == "unlike" and len(one) == len(other) == 1:
+        exchange = _exchange(one[0], other[0], lines, settings, areas=areas)
+        asked = replace(asked, exchange=exchange)
+    if asked.exchange == "always":
+        return _scene((one, other), boxes, asked, settings, names, notices)
+    if not areas:
         one, other = lines
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
-        areas = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
-        track, moved = morph_fill(areas[0], areas[1], settings, names, alone=True)
-        styles = areas[0].style, areas[1].style
+        shapes = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
+        track, moved = morph_fill(shapes[0], shapes[1], settings, names, alone=True)
+        styles = shapes[0].style, shapes[1].style
         motion = track.whole_motion() if any(map(has_gradient, styles)) else None
         return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), moved, None
     return _scene((one, other), boxes, asked, settings, names, notices)
@@ -285,17 +289,29 @@ def _scene(
     return scene.parts, scene.areas, (*notices, *scene.notices), scene
 
 
-def _pierced_apart(
-    one: Item, other: Item, lines: tuple[Sequence[Item], Sequence[Item]], settings: FillSettings
-) -> bool:
-    """Whether two areas are exchanged: nobody wants a mesh of them, and no other way suits them."""
-    if settings.method != "projective" or settings.quads is not None or settings.folds == "allow":
-        return False
-    if not all(len(side) == 1 and side[0].filled for side in lines):
-        return False
-    if turns_over(one, other) or mouth_track(one, other) is not None:
-        return False
-    return pierced_apart(one, other)
+def _exchange(
+    one: Item,
+    other: Item,
+    lines: tuple[Sequence[Item], Sequence[Item]],
+    settings: FillSettings,
+    *,
+    areas: bool,
+) -> Exchange:
+    """Whether two drawings of one item each are exchanged.
+
+    Areas are where no other way suits them and nobody wants a mesh of them. Where they move as
+    lines, several of them, those are a drawing of parts.
+    """
+    if len(lines[0]) + len(lines[1]) > 2:
+        if not areas:
+            return "unlike"
+        suited = _by_engine(one, other, settings)
+    else:
+        asked = settings.method != "projective" or settings.quads is not None
+        suited = asked or settings.folds == "allow"
+        suited = suited or not all(side[0].filled for side in lines)
+        suited = suited or turns_over(one, other) or mouth_track(one, other) is not None
+    return "never" if suited or not pierced_apart(one, other) else "always"
 
 
 def _lined(

@@ -12,13 +12,16 @@ from shapetween.base.errors import OptionError
 from shapetween.fill.naming import is_given
 from shapetween.model.drawing import Shape
 
-__all__ = ["PRICES", "Asked", "Change", "Group", "Pairing", "groups_of"]
+__all__ = ["PRICES", "Asked", "Change", "Exchange", "Group", "Pairing", "groups_of"]
 
 Change: TypeAlias = Literal["fade", "draw", "grow", "slide"]
 """How everything comes and goes that has no partner."""
 
 Pairing: TypeAlias = Literal["loose", "normal", "strict"]
 """How readily things become others: loose leaves little alone, strict much."""
+
+Exchange: TypeAlias = Literal["never", "unlike", "always"]
+"""Whether drawings are exchanged as wholes: where they are too unlike, or whatever they are."""
 
 #: What leaving alone costs, times the usual.
 PRICES: dict[Pairing, float] = {"loose": 1.5, "normal": 1.0, "strict": 0.55}
@@ -39,15 +42,15 @@ class Asked:
     change : str or None
     pins : (K, 4) float64
         In the movement's frame.
-    exchange : bool
-        Whether drawings that have little in common may be exchanged as wholes.
+    exchange : {"never", "unlike", "always"}
+        Whether the drawings are exchanged as wholes.
     """
 
     groups: tuple[Group, ...] = ()
     price: float = 1.0
     change: Change | None = None
     pins: Points = field(default_factory=lambda: np.zeros((0, 4)))
-    exchange: bool = False
+    exchange: Exchange = "never"
 
 
 def groups_of(

@@ -105,7 +105,8 @@ def too_different(
 ) -> bool:
     """Whether two drawings are to be exchanged.
 
-    One thing by itself becomes what it pairs with, whatever the two are, but for areas with holes.
+    One thing by itself becomes what it pairs with, whatever the two are (of single areas with holes
+    `pierced_apart` is asked).
 
     Parameters
     ----------
@@ -117,8 +118,6 @@ def too_different(
     tracks : mapping of int to sequence of CurveTrack, optional
         How each pair would move; without, it is asked whether they differ too much however it does.
     """
-    if len(a.items) == len(b.items) == 1:
-        return pierced_apart(a.items[0], b.items[0])
     counts = [int((~own).sum()) for own in behind]
     paired = any(not behind[0][role.first] for role in roles.pairs)
     if min(counts) == 0 or (paired and min(counts) == 1):

@@ -124,27 +124,22 @@ def move_scene(
 
     Parameters
     ----------
-    first, second : sequence of Item
-        In paint order and one frame.
-    views : ((2, 2) float64, (2, 2) float64)
-        What is shown of each drawing, as least and greatest corners.
-    asked : Asked
+    first, second, views, asked, kept
+        As for `pair_items`.
     settings : FillSettings
     names : tuple of str
         What messages call the drawings.
-    kept : sequence of KeptArea
-        Items among them of which most stays where it is.
     """
     paired = pair_items(first, second, views, asked, kept, settings.observe)
     (a, b), roles, frame = paired.scenes, paired.roles, paired.frame
     tracks: dict[int, tuple[CurveTrack, ...]] = {}
     notices: list[Notice] = []
     exchange, matched = False, None
-    may = asked.exchange and not kept and frame is None
+    may = asked.exchange != "never" and not kept and frame is None
     with settings.observe("move"):
         if may:
             behind = behind_both(a, b, roles)
-            exchange = too_different(a, b, roles, behind)
+            exchange = asked.exchange == "always" or too_different(a, b, roles, behind)
         if not exchange:
             tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
             exchange = may and too_different(a, b, roles, behind, tracks)

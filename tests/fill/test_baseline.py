@@ -18,7 +18,7 @@ from shapetween.fill.splitting import split_alike
 from shapetween.fill.stroking import outlined
 from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Stroke, Style
+from shapetween.model.paint import Colour, Stroke, Style
 from tests.baseline import assert_known
 from tests.drawings import area, ring, square
 from tests.match.shapes import polygon, rounded, star
@@ -85,7 +85,7 @@ def test_what_things_cost_is_known() -> None:
             [Thing(rng.uniform(0, 60, 2), 12 * rng.random() + 1, rng.normal()) for _ in range(4)]
             for _ in range(2)
         ]
-        found = pair_things(*sides, 85.0)
+        found = pair_things(sides[0], sides[1], 85.0)
         figures.append(float(sum((k + 1) * (3 * i + j) for k, (i, j) in enumerate(found.pairs))))
     for low, high in (((0, 0), (9, 0.5)), ((0, 0), (9, 0.1)), ((0, 0), (2, 30))):
         figures.append(Thing.of(np.array([low, high], dtype=float)).aspect)
@@ -114,7 +114,7 @@ def test_cells_are_known() -> None:
 
 
 def test_outlined_strokes_are_known() -> None:
-    style = Style(None, Stroke(None, 4.0, cap="round", join="round"))
+    style = Style(None, Stroke(Colour(), 4.0, cap="round", join="round"))
     found = outlined(Shape((rounded(30 * star(2, 7)),), style))
     figures = [float(sum(len(ring.curves) for ring in found.rings)), found.rings[0].area]
     assert_known("fill", "strokes", figures)
@@ -138,12 +138,13 @@ def test_what_counts_as_a_ring_is_known() -> None:
 
 
 def test_where_pins_hold_is_known() -> None:
-    sides = [[BODY, square(40, 44, 10).reversed()], [OTHER, square(42, 46, 12).reversed()]]
+    first = BODY, square(40, 44, 10).reversed()
+    second = OTHER, square(42, 46, 12).reversed()
     figures: list[float] = []
     for off in (0.2, 1.5, 4.0, 6.0, 9.0):
         pins = np.array([[45.0, 44.0 - off, 48.0, 46.0 - off]])
         try:
-            found = pinned_rings(*sides, pins)
+            found = pinned_rings(first, second, pins)
         except OptionError:
             figures.append(-1.0)
             continue
