@@ -74,7 +74,7 @@ def bolt(lean: float) -> Points:
 
 @pytest.mark.parametrize(
     ("lean", "turn"),
-    [(0.0, 1.0), (0.0, 2.2), (0.02, 2.2), (0.05, 2.2), (0.1, 2.2), (0.4, 2.2)],
+    [(0.0, 1.0), (0.0, 2.2), (0.02, 2.2), (0.05, 2.2), (0.15, 2.2), (0.4, 2.2)],
 )
 def test_what_is_much_the_same_both_ways_round_turns_less(lean: float, turn: float) -> None:
     a = polygon(bolt(lean))
