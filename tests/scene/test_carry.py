@@ -1,10 +1,15 @@
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
+import shapely
 
 from shapetween.base.arrays import Curves, Floats
 from shapetween.base.ends import End
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.part import Leaf
+from shapetween.scene.unmatched.going import nearest_beside
 from shapetween.scene.unmatched.presence import MANY_CURVES, Carry
 
 
@@ -42,3 +47,17 @@ def test_an_outline_of_many_curves_is_asked_once_for_all_that_it_carries() -> No
         for t in (np.linspace(0, 1, 41), np.linspace(0.2, 0.7, 90)):
             carry.moved(t)
     assert track.asked == 1
+
+
+@pytest.mark.parametrize(("size", "carried"), [(1.2, False), (1.45, False), (1.6, True)])
+def test_only_what_is_plainly_larger_carries_what_is_loose(size: float, carried: bool) -> None:
+    loose, other = shapely.box(0, 0, 1, 1), shapely.box(1.1, 0, 1.1 + size, 1)
+    scene = SimpleNamespace(
+        sizes=[1.0, size],
+        sheets=[False, False],
+        forms=[None, None],
+        items=[SimpleNamespace(drawn=loose), SimpleNamespace(drawn=other)],
+        scale=10.0,
+    )
+    side: Any = SimpleNamespace(scene=scene, anchors=[1])
+    assert nearest_beside([0], side) == (1 if carried else None)
