@@ -14,12 +14,17 @@ from shapetween.match.match import best_matching, best_matchings
 from shapetween.match.pins import pinned_places, places_in_order
 from shapetween.match.register import AffineMatch, register
 from shapetween.model.outline import Outline
+from shapetween.model.remembered import by_curves
 
-__all__ = ["ALTERNATIVES", "Matcher"]
+__all__ = ["ALTERNATIVES", "Matcher", "registered"]
 
 #: Matchings offered to choose from. Of 283 landmarks on hand-matched pairs the first one has 54
 #: wrong, the best of three some 40, of six 34 and of ten 30.
 ALTERNATIVES = 6
+
+#: Pairs of outlines of which it is kept whether an affine map takes one to the other. With fewer,
+#: each stage that asks finds it anew; more would keep memory for drawings that are done.
+KEPT = 16
 
 #: Least area worth the name, as a share of the squared diagonal of the control points' box.
 LEAST_AREA = 1e-9
@@ -104,13 +109,19 @@ class Matcher:
             return pinned_places(self.source, self.target, pins)
         return places_in_order(frozen(pins, np.float64, ndim=2))
 
-    @cached_property
+    @property
     def _affine(self) -> AffineMatch | None:
-        return register(self.source, self.target)
+        return registered(self.source, self.target)
 
     @cached_property
     def _prepared(self) -> tuple[Prepared, Prepared]:
         return prepare(self.source), prepare(self.target)
+
+
+@by_curves(KEPT)
+def registered(source: Outline, target: Outline) -> AffineMatch | None:
+    """The affine map of positive determinant from source onto target, if there is one."""
+    return register(source, target)
 
 
 def _squared_size(outline: Outline) -> float:

@@ -4,7 +4,6 @@ A place is a fraction of the whole length from the outline's start, so it does n
 units, nor on how the curve was cut into commands.
 """
 
-from functools import lru_cache
 from typing import TypeAlias
 
 import numpy as np
@@ -15,6 +14,7 @@ from shapetween.base.errors import OutlineError
 from shapetween.geometry.bezier import bernstein, combined, sub_curves
 from shapetween.geometry.linearmaps import as_complex, as_points, squared
 from shapetween.model.outline import Outline
+from shapetween.model.remembered import by_curves
 
 __all__ = ["ArcLength", "arc_length"]
 
@@ -245,7 +245,7 @@ class ArcLength:
         return t
 
 
-@lru_cache(maxsize=KEPT)  # outlines are frozen, and known by identity
+@by_curves(KEPT)
 def arc_length(outline: Outline) -> ArcLength:
     """The arc length of an outline, which every stage that asks for it shares.
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from shapetween.geometry.bezier import flatten
-from shapetween.match.register import register
+from shapetween.match.matcher import registered
 from shapetween.model.part import CurveTrack
 from shapetween.scene.items import Item
 from shapetween.scene.motion.choose import corner_tracks
@@ -35,7 +35,7 @@ def swells(first: Item, second: Item, lines: Sequence[Sequence[Item]]) -> bool:
     """
     if any(item.filled for side in lines for item in side):
         return False
-    if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
+    if registered(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
     widths = [max(item.width for item in side) for side in lines]
     return any(

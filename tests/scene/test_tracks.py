@@ -61,7 +61,7 @@ def test_corners_are_not_matched_where_an_outline_turns_far_too_much(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     asked = []
-    monkeypatch.setattr(choose, "register", lambda *ends: asked.append(ends))
+    monkeypatch.setattr(choose, "registered", lambda *ends: asked.append(ends))
     for teeth, looked in ((3, True), (12, False)):
         angle = 2 * np.pi * np.arange(2 * teeth) / (2 * teeth)
         radius = np.where(np.arange(2 * teeth) % 2, 5.0, 9.0)

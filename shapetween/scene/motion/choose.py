@@ -14,7 +14,7 @@ from shapetween.geometry.polygon import cross
 from shapetween.match import Matcher
 from shapetween.match.candidate import agrees
 from shapetween.match.frames import MIN_TURN
-from shapetween.match.register import register
+from shapetween.match.matcher import registered
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.outline.matching import upright_of
@@ -229,7 +229,7 @@ def corners_suffice(first: Item, second: Item) -> bool:
     blobs = _blobs(first, second)
     if not blobs and max(total_turning(item.outer.curves) for item in (first, second)) > TOO_MANY:
         return False
-    if register(first.outer.clockwise(), second.outer.clockwise()) is not None:
+    if registered(first.outer.clockwise(), second.outer.clockwise()) is not None:
         return False
     corners = _by_corners(first, second)
     turning = turning_excess(corners.track)

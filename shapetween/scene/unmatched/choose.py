@@ -26,7 +26,7 @@ from shapetween.scene.unmatched.clusters import (
     staying_parent,
 )
 from shapetween.scene.unmatched.gaps import timed_gaps
-from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside
+from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside, within_reach
 from shapetween.scene.unmatched.presence import Leaving
 from shapetween.scene.unmatched.retracting import first_end, gap_going, retracted_lines
 
@@ -208,11 +208,13 @@ def _pushed_by(members: Sequence[int], side: Side) -> tuple[Points, int] | None:
     own = shapely.union_all([scene.items[k].drawn for k in members])
     found = []
     for j, tracks in side.anchors.items():
-        away = shapely.distance(own, scene.items[j].drawn) / scene.scale
         larger = scene.sizes[j] / max(scene.sizes[k] for k in members)
-        if scene.sheets[j] or not scene.items[j].filled or not 0 < away < GAP:
+        if scene.sheets[j] or not scene.items[j].filled or not LIKE[0] < larger < LIKE[1]:
             continue
-        if not LIKE[0] < larger < LIKE[1]:
+        if not within_reach(scene.items[j], own, GAP * scene.scale):
+            continue
+        away = shapely.distance(own, scene.items[j].drawn) / scene.scale
+        if not 0 < away < GAP:
             continue
         curves = tracks[0].curves(np.abs(float(side.end is End.SOURCE) - AWAY_FROM_HOME))
         rings = flatten(curves[:, : tracks[0].counts[0]], 4)

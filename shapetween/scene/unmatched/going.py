@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -16,7 +16,10 @@ from shapetween.scene.relations import Scene
 from shapetween.scene.unmatched.clusters import Anchors
 from shapetween.scene.unmatched.presence import NEAR, Carry, Leaving
 
-__all__ = ["Going", "Side", "nearer_end", "nearest_beside"]
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Going", "Side", "nearer_end", "nearest_beside", "within_reach"]
 
 #: When what has no partner disappears, and when it appears. One is early and the other late, but
 #: they overlap: apart, the middle is empty; much more together, and both are seen at once.
@@ -153,9 +156,21 @@ def nearest_beside(members: Sequence[int], side: Side) -> int | None:
     if not anchors:
         return None
     own = shapely.union_all([scene.items[k].drawn for k in members])
+    reach = BESIDE * scene.scale
+    anchors = [j for j in anchors if within_reach(scene.items[j], own, reach)]
+    if not anchors:
+        return None
     away = shapely.distance(own, np.array([scene.items[j].drawn for j in anchors], dtype=object))
     best = int(np.round(away / scene.scale, 6).argmin())
     return anchors[best] if away[best] < BESIDE * scene.scale else None
+
+
+def within_reach(item: Item, other: "shapely.Geometry", reach: float) -> bool:
+    """Whether an item's area is as near to another one: of a long outline a quick look."""
+    import shapely
+
+    shapely.prepare(item.drawn)
+    return bool(shapely.dwithin(item.drawn, other, reach * (1 + 1e-9)))
 
 
 def nearer_end(ends: Points, anchor: int, scene: Scene) -> int | None:
