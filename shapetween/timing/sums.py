@@ -35,7 +35,8 @@ __all__ = ["EasingSum", "Grid", "sum_of_easings", "united"]
 Grid = NDArray[np.int64]
 """Coordinates in steps of the last decimal that is written."""
 
-#: Most easings of a sum. With more, keyframes are about as short, and a player adds for longer.
+#: Most easings of a sum, whatever windows they run in. With more, keyframes are about as short, and
+#: a player adds for longer.
 MOST_TERMS = 14
 
 #: Weight of the end, which must be met, among samples that weigh 1.
@@ -156,7 +157,7 @@ def sum_of_easings(
         best = task.solved(some, fewer, own=own) or best
         if best is not None and len(best.easings) <= AT_ONCE:
             return best
-    found = task.in_turn(sorted(turns), most()) if turns else None
+    found = task.in_turn(sorted(turns), min(most(), MOST_TERMS)) if turns else None
     return best if found is None or (best and len(found.easings) >= len(best.easings)) else found
 
 

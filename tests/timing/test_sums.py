@@ -184,6 +184,24 @@ def test_what_is_drawn_out_piece_by_piece_is_one_even_window_each() -> None:
     assert np.linalg.norm(away, axis=-1).max() <= TOLERANCE + STEP
 
 
+@pytest.mark.parametrize(("pieces", "sums"), [(MOST_TERMS - 2, True), (MOST_TERMS + 2, False)])
+def test_windows_one_after_another_are_no_more_than_a_player_is_to_add(
+    pieces: int, sums: bool
+) -> None:
+    def places(t: Floats) -> Floats:
+        shares = np.clip(pieces * t[:, None] - np.arange(pieces), 0.0, 1.0)
+        return shares[..., None] * np.array([400.0, 60.0])
+
+    turns = tuple(k / pieces for k in range(1, pieces))
+    clock = SCHEDULE.with_corners(turns)[0].clock
+    weights = np.ones(pieces)
+    result = sum_of_easings(
+        places(clock), clock, STEP, TOLERANCE, weights, lambda: 100, turns=turns
+    )
+    assert (result is not None) == sums
+    assert result is None or len(result.easings) == pieces
+
+
 def test_smooth_movement_has_no_corners() -> None:
     assert turning_times(turning(2.5, CLOCK), CLOCK, TOLERANCE) == ()
 
