@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from os import PathLike
-from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,9 +15,6 @@ from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.moving import Moving
 from shapetween.geometry.affine import inverted, mapped
-from shapetween.io import files
-from shapetween.io.fonts import fonts_in
-from shapetween.io.linked import pictures_beside
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.drawing import Drawing
 from shapetween.model.fit import Fit, Flip, fit_matrix
@@ -27,13 +23,10 @@ from shapetween.outline.correspondence import RingCorrespondence
 from shapetween.outline.preview import Effort
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.scene.asked import Change, Pairing
-from shapetween.svg.read.reader import read_svg
+from shapetween.sources import Source, key_of, name_of, opened
 from shapetween.svg.write.diagram import MeshView
 
 __all__ = ["Chain", "Morph", "Source", "chain", "morph"]
-
-Source: TypeAlias = str | PathLike[str] | Drawing
-"""An SVG file, or a drawing already read."""
 
 Pin: TypeAlias = tuple[float, float, float, float]
 
@@ -206,8 +199,8 @@ def morph(
 
     Parameters
     ----------
-    a, b : path or Drawing
-        SVG files, or drawings already read.
+    a, b : path, str, bytes or Drawing
+        SVG files, their text or bytes, or drawings already read.
     method : str
         "projective", or another of `shapetween.interpolate.METHODS`.
     quads : int, optional
@@ -265,8 +258,8 @@ def morph(
         effort=effort,
     )
     with observe("read"):
-        drawings = _opened(a, pictures, font), _opened(b, pictures, font)
-    names = _name_of(a, "first drawing"), _name_of(b, "second drawing")
+        drawings = opened(a, pictures, font), opened(b, pictures, font)
+    names = name_of(a, "first drawing"), name_of(b, "second drawing")
     return Morph(prepare(*drawings, options, names=names, observe=observe), method)
 
 
@@ -291,9 +284,9 @@ def chain(
 
     Parameters
     ----------
-    drawings : iterable of path or Drawing
-        SVG files, or drawings already read, at least two. Naming the first one again at the end
-        closes the chain.
+    drawings : iterable of path, str, bytes or Drawing
+        SVG files, their text or bytes, or drawings already read, at least two. Naming the first
+        one again at the end closes the chain.
     method, quads, folds, pairing, change, effort, pictures, font
         As for `shapetween.morph`, for every leg.
     pins : mapping of int to iterable of (ax, ay, bx, by), optional
@@ -313,8 +306,8 @@ def chain(
     ShapetweenError
         If a file cannot be read or an option does not fit; its text is one line.
     """
-    if isinstance(drawings, str | PathLike | Drawing):
-        alone = _name_of(drawings, "one drawing")
+    if isinstance(drawings, str | bytes | PathLike | Drawing):
+        alone = name_of(drawings, "one drawing")
         raise OptionError(f"chain: {alone}: expected a list of drawings")
     sources = list(drawings)
     if len(sources) < 2:
@@ -333,11 +326,11 @@ def chain(
             if leg not in range(1, len(sources)):
                 last = len(sources) - 1
                 raise OptionError(f"{name}: there is no leg {leg!r}; expected 1 to {last}")
-    names = tuple(_name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
+    names = tuple(name_of(source, f"drawing {k}") for k, source in enumerate(sources, start=1))
     with observe("read"):
-        different = {_key(source): source for source in sources}
-        drawn = {key: _opened(source, pictures, font) for key, source in different.items()}
-        read = [drawn[_key(source)] for source in sources]
+        different = {key_of(source): source for source in sources}
+        drawn = {key: opened(source, pictures, font) for key, source in different.items()}
+        read = [drawn[key_of(source)] for source in sources]
     with observe("fit"):
         frames = [_frame(drawing, read[0], fit) for drawing in read]
         framed = [_in_frame(drawing, read[0], m) for drawing, m in zip(read, frames, strict=True)]
@@ -354,11 +347,6 @@ def chain(
         titled = replace(prepared, movement=replace(prepared.movement, title=title))
         legs.append(Morph(titled, method))
     return Chain(tuple(legs), names, read[0] is read[-1], tuple(frames))
-
-
-def _key(source: Source) -> str | int:
-    """The same for the same drawing."""
-    return id(source) if isinstance(source, Drawing) else str(Path(source).absolute())
 
 
 def _frame(drawing: Drawing, first: Drawing, fit: Fit) -> Affine:
@@ -384,17 +372,3 @@ def _pin(given: Iterable[float]) -> Pin:
     except (TypeError, ValueError) as error:
         raise OptionError(f"pin: {given!r} is not (ax, ay, bx, by)") from error
     return ax, ay, bx, by
-
-
-def _opened(source: Source, pictures: bool, font: str | PathLike[str] | None) -> Drawing:
-    """The drawing, read from its file if need be, with patterns and pictures or without."""
-    if isinstance(source, Drawing):
-        return source
-    path = Path(source)
-    beside = pictures_beside(path) if pictures else None
-    return read_svg(files.read_bytes(path), str(source), pictures=beside, fonts=fonts_in(font))
-
-
-def _name_of(source: Source, default: str) -> str:
-    """What messages call a drawing: its file, or some other name."""
-    return default if isinstance(source, Drawing) else str(source)

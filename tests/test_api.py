@@ -1,6 +1,7 @@
 """The library's front door, on a pair that is quickly moved."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -97,6 +98,21 @@ def test_drawings_are_taken_as_they_are() -> None:
     assert found.warnings == ()
     middle = found.at(0.5).shapes[0].rings[0]
     np.testing.assert_allclose(middle.box, [[20, 20], [60, 60]], atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", [str, str.encode, lambda text: "\ufeff\n " + text])
+def test_svg_itself_is_taken_as_text_and_as_bytes(
+    kind: Callable[[str], str | bytes], pair: tuple[Path, Path], moved: st.Morph
+) -> None:
+    texts = [kind(path.read_text("utf-8")) for path in pair]
+    again = st.morph(*texts)
+    assert again.svg() == moved.svg()
+    assert st.morph(texts[0], pair[1], pictures=True).svg() == moved.svg()
+    assert st.chain([texts[0], texts[1], texts[0]]).closed
+    with pytest.raises(InputError, match="SVG text: "):
+        st.morph("<svg", texts[1])
+    with pytest.raises(OptionError, match="expected a list"):
+        st.chain(texts[0])  # type: ignore[arg-type]
 
 
 def test_what_has_no_mesh_says_so() -> None:

@@ -79,7 +79,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("fill", "gallery"),
     ("raster", "scene"),
     ("formats", "pipeline"),
-    ("report",),
+    ("report", "sources"),
     ("api",),
     ("batch", "interop", "compare", "notebook", "photo"),
     ("__init__", "studio", "truth"),
@@ -88,7 +88,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
 )
 
 #: The modules that stand in no room.
-LOOSE = {"__init__", "__main__", "api", "pipeline", "report"}
+LOOSE = {"__init__", "__main__", "api", "pipeline", "report", "sources"}
 
 #: Lines past which a module holds two ideas.
 MOST_LINES = 400

@@ -190,7 +190,7 @@ def test_windows_one_after_another_are_no_more_than_a_player_is_to_add(
 ) -> None:
     def places(t: Floats) -> Floats:
         shares = np.clip(pieces * t[:, None] - np.arange(pieces), 0.0, 1.0)
-        return shares[..., None] * np.array([400.0, 60.0])
+        return np.asarray(shares[..., None] * np.array([400.0, 60.0]))
 
     turns = tuple(k / pieces for k in range(1, pieces))
     clock = SCHEDULE.with_corners(turns)[0].clock
