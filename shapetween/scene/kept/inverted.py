@@ -83,6 +83,8 @@ def inverted_tracks(
             continue
         if sum(map(len, mine)) > MOST or not _is_shown(mine, shown, plate):
             continue
+        if any(_in_common(area.enclosed, plate.enclosed) > UNLIKE for area in mine[0]):
+            continue  # it stands where it stood, and gets something in its hole
         tracks: list[CurveTrack] = [
             Grown((plate.outer.clockwise(),), plate.box.mean(axis=0), comes)
         ]
@@ -130,7 +132,12 @@ def _is_shown(mine: Sign, shown: Sign, plate: Item) -> bool:
     if own.hausdorff_distance(there) > SAME or own.area > BLOT * own.convex_hull.area:
         return False
     whole = _region(([plate.replaced(plate.rings[:1])], []))
-    return bool(own.intersection(whole).area < UNLIKE * own.union(whole).area)
+    return _in_common(own, whole) < UNLIKE
+
+
+def _in_common(one: "shapely.Geometry", other: "shapely.Geometry") -> float:
+    """Share of what either area covers that both do."""
+    return float(one.intersection(other).area / one.union(other).area)
 
 
 def _box(items: Sequence[Item]) -> Points:
