@@ -9,6 +9,7 @@ from shapetween.base.arrays import Floats
 from shapetween.base.errors import OptionError
 from shapetween.base.observe import Observer, unobserved
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.plain import colour_losses
 from shapetween.formats.table import Segments, Written
 from shapetween.raster.encode import WRITERS, Clock
 from shapetween.raster.encode.folder import write_folder
@@ -55,7 +56,8 @@ def frames(segments: Segments, options: WriteOptions, observe: Observer = unobse
     """One PNG a frame, into a folder; where two segments meet it is one frame."""
     film = _film(segments, options, even_times(options.frames))
     clock = Clock(film.count, defaults.FPS, False)
-    return _drawn(film, list(range(film.count)), clock, write_folder, observe)
+    told = colour_losses(segments.movements, "pictures")
+    return _drawn(film, list(range(film.count)), clock, write_folder, observe, told)
 
 
 def _moving(ending: str, segments: Segments, options: WriteOptions, observe: Observer) -> Written:
@@ -71,7 +73,8 @@ def _moving(ending: str, segments: Segments, options: WriteOptions, observe: Obs
     film = _film(segments, options, clock)
     order = _order(steps, held, options, segments, clock)
     shown = Clock(len(order), fps, options.loop != "once")
-    return _drawn(film, order, shown, WRITERS[ending], observe)
+    told = colour_losses(segments.movements, f"moving pictures ({ending})")
+    return _drawn(film, order, shown, WRITERS[ending], observe, told)
 
 
 def _film(segments: Segments, options: WriteOptions, clock: Floats) -> Film:
@@ -112,9 +115,10 @@ def _drawn(
     clock: Clock,
     write: Callable[[Path, Iterable[Bytes], Clock], None],
     observe: Observer,
+    told: Sequence[str],
 ) -> Written:
     def put(path: Path) -> None:
         frames = film.frames(order, workers())
         write(path, counted(frames, len(order), observe), clock)
 
-    return Written(put, film.warnings)
+    return Written(put, (*film.warnings, *told))

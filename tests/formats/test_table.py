@@ -78,7 +78,7 @@ DRAWN = {
 }
 
 
-@pytest.mark.parametrize("ending", [".svg", ".json", ".lottie", ".css", ".xml", ".mjs", ".html"])
+@pytest.mark.parametrize("ending", WRITERS)
 @pytest.mark.parametrize("feature", DRAWN)
 def test_what_a_format_does_not_keep_is_told_of_or_refused(ending: str, feature: str) -> None:
     bodies = [DRAWN[feature].replace("M 60", f"{x} 60") for x in (45, 85)]
