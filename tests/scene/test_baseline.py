@@ -1,7 +1,7 @@
 """What drawings of parts are seen as and how they move, in figures that are known.
 
-Most cases are real drawings whose shapes are scaled, turned and shifted by chance, a little or much:
-so some of them lie near every threshold.
+Most cases are real drawings whose shapes are scaled, leant and shifted by chance, a little or much,
+so that some of them lie near every threshold.
 """
 
 from dataclasses import replace
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from shapetween.base.arrays import Floats
-from shapetween.model.drawing import Drawing
+from shapetween.model.drawing import Drawing, Shape
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.svg.read.reader import read_svg
 from tests.baseline import assert_known
@@ -29,7 +29,7 @@ CASES = (TESTS / "data/scene/known.txt").read_text("utf-8").split()
 
 TIMES = np.array([0.0, 0.2, 0.45, 0.6, 0.9])
 
-#: By how much shapes are scaled and turned, and an eighth of it, as a share of the drawing, shifted.
+#: By how much shapes are scaled and leant; they are shifted by an eighth of it, times the drawing.
 AMOUNTS = (0.004, 0.02, 0.06, 0.12, 0.2, 0.3, 0.45)
 
 
@@ -50,7 +50,7 @@ def moved(drawing: Drawing, seed: int) -> Drawing:
     """Every shape scaled, leant and shifted by chance."""
     rng = np.random.default_rng(seed)
     size = max(drawing.box.width, drawing.box.height)
-    shapes = []
+    shapes: list[Shape] = []
     for shape in drawing.shapes:
         points = np.concatenate([ring.curves.reshape(-1, 2) for ring in shape.rings])
         centre = (points.min(axis=0) + points.max(axis=0)) / 2
