@@ -29,7 +29,7 @@ from shapetween.scene.exchange import pierced_apart
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, items_of
 from shapetween.scene.joining import joined_lines
-from shapetween.scene.kept.areas import kept_areas
+from shapetween.scene.kept.drawings import kept_drawings
 from shapetween.scene.limbs import with_limbs
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
@@ -247,7 +247,7 @@ def _moved(
     free = all(group[0] and group[1] for group in asked.groups)
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
         with settings.observe("perceive"):
-            kept = kept_areas(one, other, asked.groups)
+            kept = kept_drawings(one, other, asked.groups)
         notices = (*notices, *kept.notices)
         if kept.areas:
             lines = as_lines(kept.first, kept.second)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import shapely
+from shapely import affinity
 
 from shapetween.base.arrays import Points
 from shapetween.boolean.area import filled_area
@@ -515,3 +516,38 @@ def test_a_level_slot_opens_all_along_and_halves_part_as_cells() -> None:
     assert middle.contains(shapely.Point(25, 30))
     cut = BOX.difference(middle)
     assert np.ptp(shapely.get_coordinates(cut)[:, 0]) > 59
+
+
+@pytest.mark.parametrize("shift", [0.0, 3.0])
+def test_a_body_is_cut_off_straight_before_something_grows_there(shift: float) -> None:
+    """Also if all of it slides a little to make room."""
+    body = shapely.Point(50, 90).buffer(36, quad_segs=12).intersection(shapely.box(0, 0, 100, 90))
+    head = shapely.Point(50, 30).buffer(16, quad_segs=12)
+    plus = shapely.union(shapely.box(62, 68, 92, 74), shapely.box(74, 56, 80, 86))
+    cut = body.intersection(shapely.box(0, 0, 52, 100))
+    after = affinity.translate(shapely.MultiPolygon([head, cut]), shift, 0)
+    ends = path(shapely.MultiPolygon([head, body])), path(after) + path(plus)
+    middle = shapely.MultiPolygon([head, cut])
+    for t, area in zip(T, frames(*ends), strict=True):
+        slid = affinity.translate(middle, t * shift, 0)
+        assert slid.difference(area).area < 1
+        grown = area.difference(slid.buffer(0.1))
+        if t < 0.5:  # what is left of the body, up to an upright line
+            below = area.intersection(shapely.box(0, 50, 120, 120))
+            edge = float(shapely.get_coordinates(below)[:, 0].max())
+            whole = affinity.translate(body, t * shift, 0)
+            assert grown.difference(whole.buffer(0.1)).area < 1
+            assert off(area, slid.union(whole.intersection(shapely.box(0, 0, edge, 100)))) < 1
+        else:
+            assert grown.difference(plus).area < 0.1
+    assert off(frames(*ends)[-1], after.union(plus)) < 0.1
+
+
+def test_a_slide_that_leaves_more_on_both_sides_is_none() -> None:
+    """Lines of a list that shift a little do not keep what stands beside them."""
+    lines = shapely.MultiPolygon([shapely.box(30, y, 90, y + 8) for y in (20, 46, 72)])
+    first = lines.union(shapely.box(5, 40, 20, 60))
+    second = affinity.translate(lines, 3, 3).union(shapely.Point(12, 76).buffer(7))
+    scene = prepared(path(first), path(second)).scene
+    assert scene is not None
+    assert all(role.reason != "kept" for role in scene.roles.pairs)

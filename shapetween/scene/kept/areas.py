@@ -4,7 +4,7 @@ A lid that opens in a box, a badge on a bell, the slash through an eye: a person
 which something is done. So the outlines are not matched as wholes.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -18,7 +18,7 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
 from shapetween.scene.kept.appearing import InTurn
-from shapetween.scene.kept.badges import badge_tracks, badges_of, meets
+from shapetween.scene.kept.badges import Grown, badge_tracks, badges_of, blunt_badges, meets
 from shapetween.scene.kept.bars import Bar, bar_of, slot_of
 from shapetween.scene.kept.changes import tracks_of_pieces
 from shapetween.scene.kept.holes import (
@@ -28,15 +28,13 @@ from shapetween.scene.kept.holes import (
     matched_hole_track,
     unmatched_hole_track,
 )
-from shapetween.scene.kept.inverted import inverted_tracks
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
-from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
 if TYPE_CHECKING:
     pass
 
-__all__ = ["Kept", "KeptArea", "kept_areas"]
+__all__ = ["COLOUR", "MOST_AREAS", "REACH", "Kept", "KeptArea", "kept_areas", "scale_of"]
 
 #: Distance within which outlines are one, as a share of the drawing: what rounding to one decimal
 #: of an icon of 24 units moves. Larger, and thin walls count as drawn twice.
@@ -106,10 +104,7 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
         Shapes that become each other: they are kept together or not at all.
     """
     sides = (first, second)
-    scale = _scale(sides)
-    turned = None if groups else _shown_anew(sides, inverted_tracks, scale)
-    if turned is not None:
-        return turned
+    scale = scale_of(sides)
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
     families = _families(sides)
@@ -137,41 +132,11 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
             now[side].update(dict.fromkeys(own))
             now[side][k] = marked[side]
         areas.append(KeptArea(marked[0], marked[1], tracks))
-    every = all(len(own) == len(side) for own, side in zip(now, sides, strict=True))
-    crossed = None if (areas and every) or groups else _shown_anew(sides, crossed_tracks, scale)
-    if crossed is not None:
-        return crossed
     left = [
         tuple(i for i in (changed.get(k, item) for k, item in enumerate(side)) if i is not None)
         for changed, side in zip(now, sides, strict=True)
     ]
     return Kept(left[0], left[1], tuple(areas), _limits(sides, families))
-
-
-def _shown_anew(
-    sides: tuple[Sequence[Item], Sequence[Item]],
-    find: Callable[[tuple[Sequence[Item], Sequence[Item]], float], tuple[CurveTrack, ...] | None],
-    scale: float,
-) -> Kept | None:
-    """All of two drawings of one colour as one area with the tracks that are found for them."""
-    items = [item for side in sides for item in side]
-    if len(items) > MOST_AREAS or not all(item.plain for item in items):
-        return None
-    if any(np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items):
-        return None
-    tracks = find(sides, scale)
-    if tracks is None:
-        return None
-    first, second = (
-        _by_winding(max(side, key=lambda item: round(item.enclosed.area / scale**2, 9)))
-        for side in sides
-    )
-    return Kept((first,), (second,), (KeptArea(first, second, tracks),))
-
-
-def _by_winding(item: Item) -> Item:
-    """An item of which what runs against what it lies on is cut out of that."""
-    return replace(item, cut=True, style=replace(item.style, fill_rule="nonzero"))
 
 
 def _limits(
@@ -210,7 +175,7 @@ def _agrees(
     )
 
 
-def _scale(sides: tuple[Sequence[Item], Sequence[Item]]) -> float:
+def scale_of(sides: tuple[Sequence[Item], Sequence[Item]]) -> float:
     """Diagonal of all that is drawn."""
     boxes = np.array([item.box for side in sides for item in side])
     return float(np.hypot(*(boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0))))
@@ -375,8 +340,9 @@ def _tracks(
     near = [sides[0][k] for k in beside[0]], [sides[1][k] for k in beside[1]]
     badges = badges_of(laid, near, scale)
     bitten = [piece for badge in badges for piece in badge.pieces]
+    blunt, cleared = blunt_badges(laid, near, badges)
     lone = len({*holes[0], *holes[1]} - paired)
-    moved = tracks_of_pieces(laid, bars, bitten, bound[0], bound[1], lone, REACH * scale)
+    moved = tracks_of_pieces(laid, bars, bitten, cleared, bound[0], bound[1], lone, REACH * scale)
     if moved is None:
         return None
     taken: Family = ([], [])
@@ -386,6 +352,11 @@ def _tracks(
             own = [InTurn(track, first=not badge.comes) for track in own]
         moved = (*moved, *own)
         taken[badge.comes].extend(beside[badge.comes][k] for k in badge.items)
+    for k, comes in blunt:
+        item = near[comes][k]
+        grown = Grown(tuple(drawn_rings([item])), item.box.mean(axis=0), comes)
+        moved = (*moved, InTurn(grown, first=not comes))
+        taken[comes].append(beside[comes][k])
     return (*moved, *moving), taken
 
 

@@ -18,13 +18,17 @@ from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["Badge", "badge_tracks", "badges_of", "meets"]
+__all__ = ["Badge", "Grown", "badge_tracks", "badges_of", "blunt_badges", "meets"]
 
 #: Widest gap between a badge and the body, as a share of the drawing.
 WIDEST = 0.15
 
 #: Most by which that gap varies, as a share of its mean: a bite is the badge's own offset shape.
 VARIES = 0.35
+
+#: Least ratio of the distance between the ends of an edge and its length, for it to be no bite.
+#: Smaller, and a shallow bite is none; at 1 rounding makes a bite of a straight edge.
+STRAIGHT = 0.985
 
 #: Directions round a badge's middle in which the reach of its bite is known, and the most that a
 #: curve spans of them, radians, to be moved by its control points.
@@ -94,7 +98,7 @@ def badges_of(
 
     found: dict[tuple[bool, tuple[int, ...]], list[Piece]] = {}
     for piece in laid.pieces:
-        if piece.contact.is_empty or piece.free.is_empty:
+        if piece.contact.is_empty or piece.free.is_empty or _is_straight(piece.contact):
             continue
         comes = not piece.comes
         items = beside[int(comes)]
@@ -121,6 +125,17 @@ def badges_of(
         if reach is not None:
             badges.append(Badge(near, comes, tuple(pieces), centre, middle, reach))
     return badges
+
+
+def _is_straight(contact: "shapely.Geometry") -> bool:
+    """Whether lines are one straight edge: no badge has such a border."""
+    import shapely
+
+    line = shapely.line_merge(contact)
+    if line.geom_type != "LineString":
+        return False
+    ends = shapely.get_coordinates(line)[[0, -1]]
+    return bool(np.hypot(*(ends[1] - ends[0])) > STRAIGHT * line.length)
 
 
 def badge_tracks(badge: Badge, items: Sequence[Item], laid: Overlay) -> list[CurveTrack]:
@@ -151,6 +166,35 @@ def meets(badge: Badge, beside: tuple[Sequence[Item], Sequence[Item]]) -> bool:
         bool((item.box[0] < high).all() and (item.box[1] > low).all())
         for item in beside[1 - int(badge.comes)]
     )
+
+
+def blunt_badges(
+    laid: Overlay, beside: tuple[Sequence[Item], Sequence[Item]], badges: Sequence[Badge]
+) -> tuple[list[tuple[int, bool]], list[Piece]]:
+    """Items that come where something is cut off straight, and what is.
+
+    Returns
+    -------
+    list of (int, bool)
+        Which items, and whether the second drawing has them.
+    list of Piece
+        What goes before they come, or comes after they have gone.
+    """
+    bitten = [piece for badge in badges for piece in badge.pieces]
+    taken = {(badge.comes, k) for badge in badges for k in badge.items}
+    items: list[tuple[int, bool]] = []
+    pieces: list[Piece] = []
+    for piece in laid.pieces:
+        comes = not piece.comes
+        found = [
+            (k, comes)
+            for k, item in enumerate(beside[comes])
+            if (comes, k) not in taken and item.drawn.intersects(piece.area)
+        ]
+        if found and not any(piece is own for own in bitten):
+            pieces.append(piece)
+            items += [one for one in found if one not in items]
+    return items, pieces
 
 
 def _aside(centre: Points, pieces: Sequence[Piece]) -> Points:

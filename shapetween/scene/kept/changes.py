@@ -10,7 +10,7 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
-from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped, extent_along
+from shapetween.scene.kept.appearing import HalfPlaneClip, InTurn, Telescoped, extent_along
 from shapetween.scene.kept.bars import Bar, bar_of, slot_of
 from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
@@ -66,6 +66,10 @@ NOTCH = 2.0
 #: Least ratio of the distance between the ends of what a piece stands on and its length.
 STRAIGHT = 0.95
 
+#: Least ratio of the distance between the ends of what a piece touches and its length, for it to be
+#: one edge. Smaller, and a bay is one; larger, and one with round corners is none.
+EDGE = 0.85
+
 #: Least mean height of a piece over what it stands on, as a share of its foot, to be a part by
 #: itself. A corner has a quarter; larger, and corners are rounded from all along their edges.
 FLAT = 0.15
@@ -78,6 +82,7 @@ def tracks_of_pieces(
     laid: Overlay,
     bars: Sequence[Bar],
     bitten: Collection[Piece],
+    cleared: Collection[Piece],
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
     lone: int,
@@ -92,6 +97,8 @@ def tracks_of_pieces(
         Bars that one of the areas has and the other has not.
     bitten : collection of Piece
         What badges bite off, which is moved with those.
+    cleared : collection of Piece
+        What goes before something comes in its place, or comes after that has gone.
     first, second : mapping of int to Outline
         Rings of both areas but for loose holes, as they are drawn, by their numbers.
     lone : int
@@ -135,7 +142,10 @@ def tracks_of_pieces(
     tracks: list[CurveTrack] = [_blend(ring.curves, laid.at_last(ring)) for ring in rings]
     for bar, group in zip(bars, groups, strict=True):
         tracks += _along(bar, group, laid)
-    tracks += [_at_contact(piece, laid) for piece in (*rest, *slivers)]
+    for piece in (*rest, *slivers):
+        waits = any(piece is own for own in cleared)
+        track = _at_contact(piece, laid, cut=waits)
+        tracks.append(InTurn(track, first=not piece.comes) if waits else track)
     return (*tracks, *openings)
 
 
@@ -266,12 +276,12 @@ def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:
     return None if whole.intersects(shapely.MultiPoint(corners)) else bar
 
 
-def _at_contact(piece: Piece, laid: Overlay) -> CurveTrack:
-    """A piece that comes out of what it touches, or goes into it."""
+def _at_contact(piece: Piece, laid: Overlay, *, cut: bool) -> CurveTrack:
+    """A piece that comes out of what it touches, or goes into it; or is cut off by a line."""
     way = _way(piece)
     rings = laid.rings_of(piece)
     low, high = extent_along(rings, way)
-    if _stands(piece, laid) and _has_walls(piece, way):
+    if not cut and _stands(piece, laid) and _has_walls(piece, way):
         return Telescoped(rings, way, low, high - low, piece.comes)
     ends = (low, high) if piece.comes else (high, low)
     return HalfPlaneClip(rings, way, ends, True)
@@ -307,10 +317,30 @@ def _has_walls(piece: Piece, way: Points) -> bool:
     return bool(lengths[upright].sum() > WALLS * lengths.sum())
 
 
+def _edge_way(piece: Piece) -> Points | None:
+    """Direction square to the one nearly straight edge that a piece touches; None without one."""
+    import shapely
+
+    line = shapely.line_merge(piece.contact)
+    if line.geom_type != "LineString":
+        return None
+    ends = shapely.get_coordinates(line)[[0, -1]]
+    along = ends[1] - ends[0]
+    length = float(np.hypot(*along))
+    if length < EDGE * line.length:
+        return None
+    way = np.array([-along[1], along[0]]) / length
+    middle = np.array([piece.area.centroid.x, piece.area.centroid.y])
+    return np.asarray(way if (middle - ends[0]) @ way > 0 else -way)
+
+
 def _way(piece: Piece) -> Points:
     """Direction from where a piece touches what is kept to its free end, of length 1."""
     size = float(np.sqrt(piece.area.area))
     if not piece.contact.is_empty and not piece.free.is_empty:
+        edge = _edge_way(piece)
+        if edge is not None:
+            return edge
         middles = [np.array([g.centroid.x, g.centroid.y]) for g in (piece.contact, piece.free)]
         way = middles[1] - middles[0]
         length = float(np.hypot(*way))

@@ -30,8 +30,8 @@ Sign: TypeAlias = tuple[list[Item], list[Item]]
 #: Least share of its hull that a plate's outline fills. Smaller, and a house with a door is one.
 PLATE = 0.9
 
-#: Most that a plate and the sign, each brought to one box, have in common. More, and a disc that
-#: becomes a ring is inverted rather than opened.
+#: Most that a plate and the sign, its holes filled, each brought to one box, have in common. More,
+#: and a disc that becomes a ring is inverted rather than opened.
 UNLIKE = 0.9
 
 #: Greatest distance of a sign from what the plate shows of it, as a share of their size. Smaller,
@@ -131,8 +131,8 @@ def _is_shown(mine: Sign, shown: Sign, plate: Item) -> bool:
     own, there = _region(mine), _region(shown)
     if own.hausdorff_distance(there) > SAME or own.area > BLOT * own.convex_hull.area:
         return False
-    whole = _region(([plate.replaced(plate.rings[:1])], []))
-    return _in_common(own, whole) < UNLIKE
+    whole, filled = _region(([plate.replaced(plate.rings[:1])], [])), _region((mine[0], []))
+    return _in_common(filled, whole) < UNLIKE
 
 
 def _in_common(one: "shapely.Geometry", other: "shapely.Geometry") -> float:
