@@ -11,7 +11,7 @@ from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import curve_lengths, flatten
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
-from shapetween.scene.items import Item, even_points
+from shapetween.scene.items import SAMPLES, Item
 from shapetween.scene.kept.areas import (
     COLOUR,
     MOST_AREAS,
@@ -42,9 +42,9 @@ FARTHEST = 0.15
 #: Share that two areas have in common that are one, drawn anew.
 SAME = 0.95
 
-#: Most rings of a drawing that slides are looked for with, and places on each that they are judged
-#: by. More rings cost time with their square.
-MOST_RINGS, SAMPLES = 6, 24
+#: Most rings of a drawing that slides are looked for with, and every which of the samples on each
+#: they are judged by. More of either cost time, rings with their square.
+MOST_RINGS, EVERY = 6, 2
 
 
 def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequence[Group]) -> Kept:
@@ -88,8 +88,11 @@ def slide_between(sides: Sides, scale: float) -> Points | None:
     tried = np.unique(np.round(tried / (REACH * scale)), axis=0) * REACH * scale
     if not len(tried):
         return None
-    points = np.concatenate([even_points(ring, SAMPLES) for ring in rings[0]])
-    weights = np.repeat([float(curve_lengths(ring.curves).sum()) for ring in rings[0]], SAMPLES)
+    style = sides[0][0].style
+    points = np.concatenate([Item((ring,), style).points[::EVERY] for ring in rings[0]])
+    weights = np.repeat(
+        [float(curve_lengths(ring.curves).sum()) for ring in rings[0]], SAMPLES // EVERY
+    )
     lines = [np.append(flatten(r.curves, 16), r.curves[-1:, 3], 0) for r in rings[1]]
     outline = shapely.MultiLineString(lines)
     shapely.prepare(outline)
