@@ -16,6 +16,7 @@ from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame
 from shapetween.scene.relations import Scene, perceive
+from shapetween.scene.slides import lines_that_slide
 from shapetween.scene.whole import frame_between, moved_items
 
 __all__ = ["Paired", "pair_items"]
@@ -81,6 +82,8 @@ def pair_items(
         pinned = pinned_items(asked.pins, a, b)
         fixed += [pair for pair in pinned.values() if pair not in fixed]
         fixed += [pair for pair in cut.given if not barred[pair]]
+        if not fixed and not barred.any() and frame is None:
+            fixed = lines_that_slide(a, b)
         roles = assign(a, b, fixed, barred, asked.price)
         roles = replace(
             roles,
