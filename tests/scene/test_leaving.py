@@ -470,3 +470,19 @@ def test_a_fill_that_becomes_an_outline_of_its_colour_is_never_grey(tmp_path: Pa
     areas = [signed_area(ring.curves) for ring in found.at(1.0).shapes[0].rings]
     assert len(areas) == 2
     assert areas[0] * areas[1] < 0
+
+
+def test_a_ring_round_what_stays_never_cuts_through_it(tmp_path: Path) -> None:
+    """It comes nearly as large as it is, thin at first; round a dot it grows from that."""
+    bar = '<path d="M{} 12h{}"/>'
+    ring = '<circle cx="12" cy="12" r="9"/>'
+    for inner, least in ((bar.format(7, 10), 0.85), (bar.format(11.5, 1), 0.1)):
+        (part,) = lone(morph(tmp_path, inner, inner + ring, ICON), arrives=True)
+        times = np.linspace(0, 1, 33)
+        seen = [t for t in times if part.style(t).opacity > 0]
+        radii = [np.ptp(part.curves(np.array([t]))[0][:, :, 0]) / 18 for t in seen]
+        assert min(radii) >= least - 1e-6
+        assert min(radii) < least + 0.1
+        widths = [part.style(t).stroke.width for t in seen]
+        assert widths[0] < 0.6 * widths[-1]
+        assert (np.diff(widths) > -1e-9).all()
