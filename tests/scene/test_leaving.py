@@ -483,6 +483,21 @@ def test_a_ring_round_what_stays_never_cuts_through_it(tmp_path: Path) -> None:
         radii = [np.ptp(part.curves(np.array([t]))[0][:, :, 0]) / 18 for t in seen]
         assert min(radii) >= least - 1e-6
         assert min(radii) < least + 0.1
-        widths = [part.style(t).stroke.width for t in seen]
+        strokes = [part.style(t).stroke for t in seen]
+        widths = [stroke.width for stroke in strokes if stroke is not None]
         assert widths[0] < 0.6 * widths[-1]
         assert (np.diff(widths) > -1e-9).all()
+
+
+def test_a_line_waits_until_what_is_in_its_place_has_moved(tmp_path: Path) -> None:
+    """Links come apart before a slash is drawn between them, and it goes before they meet."""
+    links = '<path d="M3 7h{}M13 17h8"/>'
+    apart, slash = links.format(7), '<path d="M14 3v9"/>'
+    joined = links.format(12)
+    (comes,) = lone(morph(tmp_path, joined, apart + slash, ICON), arrives=True)
+    (goes,) = lone(morph(tmp_path, apart + slash, joined, ICON), arrives=False)
+    (free,) = lone(morph(tmp_path, apart, apart + slash, ICON), arrives=True)
+    assert comes.style(0.5).opacity == goes.style(0.5).opacity == 0
+    assert comes.style(0.6).opacity > 0
+    assert goes.style(0.4).opacity > 0
+    assert free.style(0.2).opacity > 0

@@ -72,6 +72,10 @@ SLIM = 1.6
 #: cut through what is in them; larger, and dots in a ring keep it from shrinking.
 SMALL, CLEAR = 0.35, 0.85
 
+#: Time from which on a line comes in whose place something was. Earlier, and both are seen there at
+#: once; later, and it snaps.
+LATE = 0.55
+
 #: Power of that size by which the line is thinner. Smaller, and it is there with a jerk; larger,
 #: and it is a hair for long.
 THINS = 8.0
@@ -131,12 +135,40 @@ def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> di
         else:
             found[k] = alone
     for cluster in clusters_of(clustered, side.scene, side.anchors):
-        found |= _together(cluster, side)
+        together = _together(cluster, side)
+        if any(_waits(k, side) for k in cluster.members):
+            together = {k: _later(going, side.end) for k, going in together.items()}
+        found |= together
     if change is not None:
         for k in lone:
             if not side.scene.sheets[k]:
                 found[k] = _asked(change, found[k], k, side)
     return found
+
+
+def _later(going: Going, end: End) -> Going:
+    """The same, but not before what is in its place has left half of its way."""
+    low, high = going.leaving.window
+    window = (max(low, LATE), high) if end is End.TARGET else (low, min(high, 1 - LATE))
+    return replace(going, leaving=replace(going.leaving, window=window))
+
+
+def _waits(k: int, side: Side) -> bool:
+    """Whether something that stays has to move away from a line's place before it may come."""
+    import shapely
+
+    scene, item = side.scene, side.scene.items[k]
+    if item.filled or item.closed or item.cut:
+        return False
+    for j, tracks in side.anchors.items():
+        other = scene.items[j]
+        if other.filled or item.drawn.intersects(other.drawn):
+            continue
+        curves = tracks[0].curves(np.array([1.0 - side.end]))[0]
+        before = shapely.LineString(flatten(curves, 4).reshape(-1, 2))
+        if before.distance(item.drawn) < other.width / 2:
+            return True
+    return False
 
 
 def _by_itself(k: int, side: Side) -> Going | None:
