@@ -491,9 +491,9 @@ def test_a_ring_round_what_stays_never_cuts_through_it(tmp_path: Path) -> None:
 
 def test_a_line_waits_until_what_is_in_its_place_has_moved(tmp_path: Path) -> None:
     """Links come apart before a slash is drawn between them, and it goes before they meet."""
-    links = '<path d="M3 7h{}M13 17h8"/>'
-    apart, slash = links.format(7), '<path d="M14 3v9"/>'
-    joined = links.format(12)
+    links = '<path d="M7 {}l9 1M3 21h18"/>'
+    apart, slash = links.format(15), '<path d="M12 2v10"/>'
+    joined = links.format(6)
     (comes,) = lone(morph(tmp_path, joined, apart + slash, ICON), arrives=True)
     (goes,) = lone(morph(tmp_path, apart + slash, joined, ICON), arrives=False)
     (free,) = lone(morph(tmp_path, apart, apart + slash, ICON), arrives=True)

@@ -165,7 +165,8 @@ def _waits(k: int, side: Side) -> bool:
         if other.filled or item.drawn.intersects(other.drawn):
             continue
         curves = tracks[0].curves(np.array([1.0 - side.end]))[0]
-        before = shapely.LineString(flatten(curves, 4).reshape(-1, 2))
+        points = np.append(flatten(curves, 4).reshape(-1, 2), curves[-1:, 3], axis=0)
+        before = shapely.LineString(points)
         if before.distance(item.drawn) < other.width / 2:
             return True
     return False
