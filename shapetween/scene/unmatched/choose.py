@@ -136,7 +136,8 @@ def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> di
             found[k] = alone
     for cluster in clusters_of(clustered, side.scene, side.anchors):
         together = _together(cluster, side)
-        if any(_waits(k, side) for k in cluster.members):
+        # With something else coming or going, waiting would leave the middle empty.
+        if side.only and any(_waits(k, side) for k in cluster.members):
             together = {k: _later(going, side.end) for k, going in together.items()}
         found |= together
     if change is not None:
