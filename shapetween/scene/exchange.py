@@ -35,7 +35,7 @@ Behind: TypeAlias = tuple[Mask, Mask]
 
 #: Sum of what counts against moving, less what it keeps, from which on drawings are exchanged.
 #: Fitted with the weights below to pairs judged by fresh eyes as they moved: of those above it that
-#: moved 3 were ready, 22 not. Smaller, and an apple leaves for a pear to come; larger, and the hand
+#: moved 3 were ready, 21 not. Smaller, and an apple leaves for a pear to come; larger, and the hand
 #: that holds a gift crumples into a card.
 EXCHANGED = 0.7
 

@@ -8,6 +8,7 @@ from shapely import affinity
 from shapetween.scene.items import items_of
 from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.svg.read.reader import read_svg
+from tests.match.alphabet import drawn
 from tests.scene.test_kept import PAGE, T, frames, off, path, prepared
 
 BODY = shapely.union_all(
@@ -52,3 +53,9 @@ def test_a_slash_drawn_anew_is_no_exchange() -> None:
     assert scene is not None
     assert scene.matched is None
     assert any(role.reason == "kept" for role in scene.roles.pairs)
+
+
+def test_a_letter_that_is_little_but_its_bar_is_not_crossed_out() -> None:
+    """A J shares nothing with an I but what lies beside its stem."""
+    items = [items_of(drawn(letter).shapes, letter)[0] for letter in "IJ"]
+    assert crossed_tracks((items[0], items[1]), 24.0) is None

@@ -37,6 +37,10 @@ MISSING, NEW = 0.06, 0.25
 #: Share of both that may differ away from the slash. Larger, and one thing is wiped into another.
 ELSEWHERE = 0.06
 
+#: Least share of the drawing without the slash that lies away from it. Larger, and a pen that its
+#: slash lies along is wiped nowhere; smaller, and a J is an I crossed out by its stem.
+LEFT = 0.3
+
 #: How far the second drawing reaches over the line, as a share of the drawing, so that no seam is
 #: seen there.
 OVER = 2e-3
@@ -71,6 +75,9 @@ def crossed_tracks(
             continue
         elsewhere = shapely.union_all(differences).difference(bar.around)
         if elsewhere.area > ELSEWHERE * shapely.union_all(drawn).area:
+            continue
+        plain = drawn[1 - int(comes)]
+        if plain.difference(bar.around).area < LEFT * plain.area:
             continue
         return _clipped(sides, bar, scale)
     return None
