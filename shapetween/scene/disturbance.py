@@ -6,10 +6,10 @@ import numpy as np
 
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
-from shapetween.scene.motion.turning import TURNING, total_turning
+from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["intricacy", "waviness"]
+__all__ = ["holes_apart", "intricacy", "waviness"]
 
 #: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
 #: more than what they are on; larger, and the limbs of an animal are not seen.
@@ -23,13 +23,21 @@ CHANGED = 0.1
 #: corner. Larger, and one drawn by tracing outweighs all else; at 1 all outlines are discs.
 MOST_TURNS = 3.0
 
-#: All of it that counts at most. Larger, and a face of twenty shades leaves for another one; at 1 a
+#: All of it that counts at most. Larger, and a wolf of twenty shades leaves for a fox; at 1 a
 #: drawing of many intricate parts counts no more than a star.
-MOST_INTRICATE = 2.0
+MOST_INTRICATE = 1.7
+
+#: Holes of one area, and unlikeness of pictures, from which on holes are run over. Fewer holes, and
+#: a ring leaves for an eye to come; a smaller one, and a bin leaves for a box.
+MANY_HOLES, HOLED = 2, 0.42
 
 #: Turning beyond both ends that counts at most. Larger, and a limb that swings outweighs all else;
 #: smaller, and what tears counts as what bulges.
 MOST_WAVES = 0.2
+
+#: Times at which that is looked at, the ends first and last. Fewer about the middle, and what is a
+#: lump for a moment passes.
+LOOKED = np.array([0.0, 0.25, 0.4, 0.5, 0.6, 0.75, 1.0])
 
 
 def intricacy(a: Scene, b: Scene, roles: Roles) -> float:
@@ -40,13 +48,32 @@ def intricacy(a: Scene, b: Scene, roles: Roles) -> float:
     total = 0.0
     for role, share in _seen(a, b, roles):
         i, j = role.first, role.second
-        unlike = 1 - float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
         turns = max(
             total_turning(item.outer.curves, closed=item.closed)
             for item in (a.items[i], b.items[j])
         )
-        total += share * min(turns, MOST_TURNS) * min(1.0, unlike / CHANGED)
+        total += share * min(turns, MOST_TURNS) * min(1.0, _unlike(a, b, i, j) / CHANGED)
     return min(total, MOST_INTRICATE)
+
+
+def holes_apart(a: Scene, b: Scene, roles: Roles) -> bool:
+    """Whether the largest pair is one of unlike areas, one of them with several holes.
+
+    A truck's windows would swim through the basket of a cart.
+    """
+    pairs = [(-round(share, 6), role.first, role.second) for role, share in _seen(a, b, roles)]
+    if not pairs:
+        return False
+    _, i, j = min(pairs)
+    items = a.items[i], b.items[j]
+    if not all(item.filled for item in items) or max(len(i.holes) for i in items) < MANY_HOLES:
+        return False
+    return round(_unlike(a, b, i, j), 6) > HOLED
+
+
+def _unlike(a: Scene, b: Scene, i: int, j: int) -> float:
+    """How unlike the pictures of two items are."""
+    return 1 - float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
 
 
 def waviness(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]) -> float:
@@ -63,7 +90,7 @@ def waviness(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[Cur
     places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
     for role, share in _seen(a, b, roles):
         track = tracks[places[role.first, role.second]][0]
-        curves = track.curves(TURNING)[:, : track.counts[0]]
+        curves = track.curves(LOOKED)[:, : track.counts[0]]
         turns = [total_turning(line, closed=track.closed[0]) for line in curves]
         most = max(most, share * (max(turns[1:-1]) - max(turns[0], turns[-1])))
     return min(most, MOST_WAVES)

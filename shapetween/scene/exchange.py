@@ -13,7 +13,7 @@ from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
-from shapetween.scene.disturbance import intricacy, waviness
+from shapetween.scene.disturbance import holes_apart, intricacy, waviness
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, drawn_box, in_common, pictures
@@ -40,8 +40,9 @@ Behind: TypeAlias = tuple[Mask, Mask]
 EXCHANGED = 0.7
 
 #: What counts, beside how little drawings have in common, of a turn that outlines of what changes
-#: have, and of one that is on the way alone.
-INTRICATE, WAVY = 0.2, 7.0
+#: have, of one that is on the way alone, and of holes that have no counterparts: of 13 pairs with
+#: such holes none looked well as it moved.
+INTRICATE, WAVY, PIERCING = 0.2, 7.0, 0.5
 
 #: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
 #: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
@@ -105,8 +106,8 @@ def too_different(
 ) -> bool:
     """Whether two drawings are to be exchanged.
 
-    One thing by itself becomes what it pairs with, whatever the two are (of single areas with holes
-    `pierced_apart` is asked).
+    One thing becomes one other, whatever the two are (of single areas with holes `pierced_apart` is
+    asked).
 
     Parameters
     ----------
@@ -120,9 +121,10 @@ def too_different(
     """
     counts = [int((~own).sum()) for own in behind]
     paired = any(not behind[0][role.first] for role in roles.pairs)
-    if min(counts) == 0 or (paired and min(counts) == 1):
+    if min(counts) == 0 or (paired and max(counts) == 1):
         return False
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
+    against += PIERCING * holes_apart(a, b, roles)
     if tracks is not None:
         against += WAVY * waviness(a, b, roles, tracks)
     return bool(np.round(against, 6) > EXCHANGED)

@@ -324,3 +324,21 @@ def test_what_gets_wavy_on_its_way_is_exchanged(
     }
     assert not too_different(a, b, roles, behind)
     assert too_different(a, b, roles, behind, tracks) == exchanged
+
+
+WALL = '<path d="M10 {y}h80v{h}h-80z{holes}" fill="#345"/><path d="M{x} 4h20v10z" fill="#c33"/>'
+WINDOWS = "M20 {0}v12h12v-12zM66 {0}v12h12v-12z"
+
+
+@pytest.mark.parametrize(
+    ("holes", "exchanged"), [("", False), ("M20 40v12h58v-12z", False), (WINDOWS, True)]
+)
+def test_an_area_with_several_holes_is_exchanged_for_an_unlike_one(
+    tmp_path: Path, holes: str, exchanged: bool
+) -> None:
+    house = WALL.format(y=20, h=60, x=10, holes=holes.format(30))
+    cart = (
+        '<path d="M4 22L96 20L50 92zM36 30L64 30L50 60z" fill="#345"/>'
+        '<path d="M70 90h10v8z" fill="#c33"/><circle cx="20" cy="88" r="10"/>'
+    )
+    assert is_exchanged(made(tmp_path, house, cart)) == exchanged

@@ -9,7 +9,7 @@ from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.geometry.bezier import evaluate
 from shapetween.model.part import CurveTrack
 
-__all__ = ["MOST_TURNS", "TURNING", "TurningExcess", "total_turning", "turning_excess"]
+__all__ = ["MOST_TURNS", "TurningExcess", "total_turning", "turning_excess"]
 
 #: Most turning, in whole turns, of an outline whose corners say how it moves. More, and it has
 #: limbs, which swing: that is the outline engine's.
