@@ -42,7 +42,11 @@ EXCHANGED = 0.7
 #: What counts, beside how little drawings have in common, of a turn that outlines of what changes
 #: have, of one that is on the way alone, and of holes that have no counterparts: of 13 pairs with
 #: such holes none looked well as it moved.
-INTRICATE, WAVY, PIERCING = 0.2, 7.0, 0.5
+INTRICATE, WAVY, PIERCING = 0.2, 7.0, 0.65
+
+#: By how much more must count where one drawing is one thing that has a partner. Smaller, and a sun
+#: leaves for a moon to come; larger, and a rocket becomes a star.
+ONE_THING = 0.14
 
 #: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
 #: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
@@ -127,7 +131,8 @@ def too_different(
     against += PIERCING * holes_apart(a, b, roles)
     if tracks is not None:
         against += WAVY * waviness(a, b, roles, tracks)
-    return bool(np.round(against, 6) > EXCHANGED)
+    least = EXCHANGED + (ONE_THING if paired and min(counts) == 1 else 0.0)
+    return bool(np.round(against, 6) > least)
 
 
 def pierced_apart(one: Item, other: Item) -> bool:

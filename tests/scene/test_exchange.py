@@ -342,3 +342,19 @@ def test_an_area_with_several_holes_is_exchanged_for_an_unlike_one(
         '<path d="M70 90h10v8z" fill="#c33"/><circle cx="20" cy="88" r="10"/>'
     )
     assert is_exchanged(made(tmp_path, house, cart)) == exchanged
+
+
+def test_one_thing_is_exchanged_for_several_that_it_is_quite_unlike(tmp_path: Path) -> None:
+    disc = '<circle cx="50" cy="50" r="24"/>'
+    rays = "".join(
+        f'<path d="M{48 + x} {46 + y}h4v8h-4z"/>'
+        for x, y in ((0, 38), (0, -38), (38, 0), (-38, 0), (27, 27), (-27, -27))
+    )
+    moon = '<path d="M40 20a32 32 0 1 0 40 44a30 30 0 0 1 -40 -44z"/>'
+    assert not is_exchanged(made(tmp_path, disc + rays, moon))
+    star = f'<path d="{wheel(50, 5, 18)}"/>'
+    rocket = (
+        '<path d="M66 6C90 4 96 10 94 34L60 74L26 40z"/><path d="M22 44L8 60L30 70L34 56z"/>'
+        '<path d="M44 72L42 90L56 96L60 78z"/><circle cx="14" cy="86" r="12"/>'
+    )
+    assert is_exchanged(made(tmp_path, rocket, star))
