@@ -42,11 +42,11 @@ EXCHANGED = 0.7
 #: What counts, beside how little drawings have in common, of a turn that outlines of what changes
 #: have, of one that is on the way alone, and of holes that have no counterparts: of 13 pairs with
 #: such holes none looked well as it moved.
-INTRICATE, WAVY, PIERCING = 0.2, 7.0, 0.65
+INTRICATE, WAVY, PIERCING = 0.2, 7.0, 1.0
 
 #: By how much more must count where one drawing is one thing that has a partner. Smaller, and a sun
 #: leaves for a moon to come; larger, and a rocket becomes a star.
-ONE_THING = 0.14
+ONE_THING = 0.36
 
 #: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
 #: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
