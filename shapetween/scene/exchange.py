@@ -5,7 +5,7 @@ is drawn whole at any time is better then, small where it changes.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -16,10 +16,13 @@ from shapetween.scene.backdrops import backdrops
 from shapetween.scene.disturbance import holes_apart, intricacy, waviness
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.items import Item
-from shapetween.scene.relations import Scene, drawn_box, in_common, pictures
+from shapetween.scene.relations import Scene, drawn_box, in_common, picture, pictures
 from shapetween.scene.torn import closes
 from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.presence import Leaving
+
+if TYPE_CHECKING:
+    import shapely
 
 __all__ = [
     "behind_both",
@@ -65,6 +68,14 @@ CONVEX = 0.95
 #: pair's pictures are, and of how much more of its hull one of that pair fills.
 UNLIKE, HOLLOW = 0.5, 1.0
 
+#: Distance of the ends of a line, as a share of its length, up to which it is seen as an outline.
+#: Larger, and an arc is a disc; smaller, and a bolt drawn with a gap is nothing like a bolt.
+NEARLY_CLOSED = 0.15
+
+#: How far beside an open line one lies that is like it, as a share of its size. Smaller, and two
+#: clouds drawn by hand have nothing in common; larger, and all lines are blots.
+BESIDE = 0.06
+
 #: Likeness of pictures, greatest way as a share of the drawing, and logarithm of sizes, of layers
 #: of one thing. Looser, and rings in rings are layers; stricter, and shades drawn by hand are none.
 LAYER_LIKE, LAYER_WAY, LAYER_SIZES = 0.85, 0.04, 0.12
@@ -83,7 +94,7 @@ GROUND_COLOUR = 0.15
 GOES, COMES = (0.0, 0.44), (0.44, 1.0)
 
 #: Power of size by which lines thin. At 1 they are pale when small; at 0 what is close clots.
-THINS = 0.5
+THINS = 0.6
 
 #: Share of both drawings, by size, from which on they are drawn in lines. Smaller, and emoji with
 #: an outline are; larger, and a line drawing with a dot is none.
@@ -172,14 +183,32 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     weights = np.minimum(sizes[0][firsts] / a.scale, sizes[1][seconds] / b.scale)
     k = int(np.round(weights, 9).argmax())
     i, j = firsts[k], seconds[k]
-    alike = float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
     one, other = a.items[i], b.items[j]
+    bodies = _body(one), _body(other)
+    seen = [picture(body, np.reshape(body.bounds, (2, 2)))[None] for body in bodies]
+    alike = float(in_common(seen[0], seen[1])[0, 0])
     kept = alike * float(weights[k])
     if closes(one, other, (a.scale + b.scale) / 2):
         # A ring that comes down onto an open line has little of its place and of its hull.
         return alone - kept
-    hollow = abs(_filling(one) - _filling(other))
+    lines = not (one.filled or one.closed or other.filled or other.closed)
+    hollow = 0.0 if lines else abs(_share_of_hull(bodies[0]) - _share_of_hull(bodies[1]))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow - kept)
+
+
+def _body(item: Item) -> "shapely.Geometry":
+    """What an item looks like from afar: the area of a line is what it goes round, or beside it."""
+    import shapely
+
+    if item.filled:
+        return item.drawn
+    points = item.chords
+    gap = float(np.linalg.norm(points[-1] - points[0]))
+    if (item.closed or gap < NEARLY_CLOSED * item.length) and len(points) > 3:
+        area = shapely.make_valid(shapely.Polygon(points))
+        if area.area > 0:
+            return area
+    return item.drawn.buffer(BESIDE * float(np.hypot(*np.ptp(item.box, axis=0))))
 
 
 def _alone(sizes: Sequence[Floats], paired: tuple[Index, Index]) -> float:
@@ -319,8 +348,12 @@ def _open(item: Item) -> float:
 
 def _filling(item: Item) -> float:
     """Share of its hull that what an item encloses fills."""
+    return _share_of_hull(item.enclosed)
+
+
+def _share_of_hull(area: "shapely.Geometry") -> float:
+    """Share of its hull that an area fills."""
     import shapely
 
-    area = item.enclosed
     hull = shapely.convex_hull(area).area
     return float(area.area / hull) if hull > 0 else 1.0

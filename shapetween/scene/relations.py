@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,10 @@ from shapetween.scene.items import Item
 Shapes: TypeAlias = NDArray[np.object_]
 """Shapely's, (N,)."""
 
-__all__ = ["Axis", "Scene", "colours_apart", "in_common", "perceive"]
+if TYPE_CHECKING:
+    import shapely
+
+__all__ = ["Axis", "Scene", "colours_apart", "in_common", "perceive", "picture"]
 
 #: Share of an item that its parent covers at least.
 COVERED = 0.8
@@ -262,19 +265,24 @@ def _parents(items: Sequence[Item], drawn: Shapes, sheets: Mask, outlined: Index
 
 def pictures(items: Sequence[Item]) -> Floats:
     """Each item in its own square, about the middle of its box, (N, CELLS, CELLS)."""
+    found = np.zeros((len(items), CELLS, CELLS))
+    for k, item in enumerate(items):
+        half = 0.0 if item.filled else item.width / 2
+        found[k] = picture(item.drawn, item.box + np.array([[-half], [half]]))
+    return found
+
+
+def picture(area: "shapely.Geometry", box: Points) -> Floats:
+    """An area in the square about the middle of a box (2, 2), (CELLS, CELLS) of zeros and ones."""
     import shapely
 
     steps = (np.arange(CELLS) + 0.5) / CELLS - 0.5
     grid = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)
-    found = np.zeros((len(items), CELLS * CELLS))
-    for k, item in enumerate(items):
-        half = 0.0 if item.filled else item.width / 2
-        low, high = item.box[0] - half, item.box[1] + half
-        side = float((high - low).max()) or 1.0
-        places = (low + high) / 2 + side * grid
-        shapely.prepare(item.drawn)
-        found[k] = shapely.contains_xy(item.drawn, places[:, 0], places[:, 1])
-    return found.reshape(-1, CELLS, CELLS)
+    side = float((box[1] - box[0]).max()) or 1.0
+    places = box.mean(axis=0) + side * grid
+    shapely.prepare(area)
+    seen = shapely.contains_xy(area, places[:, 0], places[:, 1])
+    return np.asarray(seen, dtype=np.float64).reshape(CELLS, CELLS)
 
 
 def in_common(first: Floats, second: Floats) -> Floats:
