@@ -11,6 +11,11 @@ from shapetween.geometry.affine import mapped
 
 __all__ = ["Outline"]
 
+#: Distance of an outline's ends, as a share of its size, up to which they are one place. Smaller,
+#: and arcs that end a rounding off their start get a side without length, which has no direction;
+#: larger, and short sides are lost.
+MEETS = 1e-9
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outline:
@@ -52,12 +57,14 @@ class Outline:
         return np.stack([points.min(axis=0), points.max(axis=0)])
 
     def close(self) -> "Outline":
-        """The outline with a straight line back to its start, if it is open."""
+        """The outline with a straight line back to its start, if it is open and ends elsewhere."""
         if self.closed:
             return self
         start, end = self.curves[0, 0], self.curves[-1, 3]
-        if (start == end).all():
-            return Outline(self.curves)
+        if np.abs(end - start).max() <= MEETS * np.ptp(self.curves.reshape(-1, 2), axis=0).max():
+            curves = self.curves.copy()
+            curves[-1, 3] = start
+            return Outline(curves)
         return Outline(np.concatenate([self.curves, bezier.line_curves(end, start)[None]]))
 
     def reversed(self) -> "Outline":

@@ -143,9 +143,9 @@ def cut_alike(source: Places, target: Places, u: Floats, v: Floats) -> Pieces:
         first one a turn later; of open ones they run from 0 to 1.
     """
     k = np.arange(len(u), dtype=np.float64)
-    turns = np.array([-1.0, 0.0, 1.0]) if source.outline.closed else np.zeros(1)
     at = [k]
     for places, knots in ((source, u), (target, v)):
+        turns = np.floor(knots[0]) + np.arange(2.0) if source.outline.closed else np.zeros(1)
         joints = (places.joints[:-1] + turns[:, None]).ravel()
         joints = joints[(joints > knots[0] + SAME) & (joints < knots[-1] - SAME)]
         span = np.clip(np.searchsorted(knots, joints, side="right") - 1, 0, len(knots) - 2)

@@ -5,7 +5,7 @@ import pytest
 
 from shapetween.geometry.bezier import curve_lengths, evaluate, line_curves
 from shapetween.model.outline import Outline
-from shapetween.scene.places import Places, cut_alike
+from shapetween.scene.places import Places, cut_alike, run_of
 from tests.drawings import line, ring, square
 
 
@@ -81,3 +81,15 @@ def test_of_so_many_curves_each_is_one_chord() -> None:
     assert length > 1.05 * straight
     length, straight = bulging(50_000)
     assert length == pytest.approx(straight)
+
+
+def test_a_run_past_the_start_of_a_ring_keeps_all_its_corners() -> None:
+    """Wherever shares are counted from: a house's eaves are not lost for its walls' sake."""
+    corners = np.array([[0.0, 8.0], [0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [5.0, 12.0]])
+    house = Places(Outline(line_curves(corners, np.roll(corners, -1, axis=0))))
+    for start in (0.3, 0.65, 0.95):
+        for length in (0.4, 0.7):
+            once = run_of(house, start, start + length)
+            again = run_of(house, start + 1, start + 1 + length)
+            np.testing.assert_allclose(again.curves, once.curves, atol=1e-9)
+            assert Places(once).length == pytest.approx(length * house.length, rel=1e-6)
