@@ -184,7 +184,8 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     k = int(np.round(weights, 9).argmax())
     i, j = firsts[k], seconds[k]
     one, other = a.items[i], b.items[j]
-    bodies = _body(one), _body(other)
+    areas = one.filled and other.filled
+    bodies = [item.drawn if areas else _body(item) for item in (one, other)]
     seen = [picture(body, np.reshape(body.bounds, (2, 2)))[None] for body in bodies]
     alike = float(in_common(seen[0], seen[1])[0, 0])
     kept = alike * float(weights[k])
@@ -197,11 +198,11 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
 
 
 def _body(item: Item) -> "shapely.Geometry":
-    """What an item looks like from afar: the area of a line is what it goes round, or beside it."""
+    """What an item is from afar: what it goes round, or of an open line what is beside it."""
     import shapely
 
     if item.filled:
-        return item.drawn
+        return item.enclosed
     points = item.chords
     gap = float(np.linalg.norm(points[-1] - points[0]))
     if (item.closed or gap < NEARLY_CLOSED * item.length) and len(points) > 3:
