@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -67,7 +68,13 @@ def test_the_studio_opens_until_it_is_stopped(checkout: Path) -> None:
     words = [sys.executable, "-m", *shlex.split(line), "--no-open"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     studio = subprocess.Popen(
-        words, cwd=checkout, stdout=subprocess.PIPE, text=True, env=environment
+        words,
+        cwd=checkout,
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment,
+        # Where the tests run in the background, interrupts are ignored, and so would they be here.
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.default_int_handler),
     )
     assert studio.stdout is not None
     said = studio.stdout.readline()

@@ -241,7 +241,8 @@ def _angles(area: "shapely.Geometry") -> Iterator[float]:
     if len(least) >= 4:
         side = least[1] - least[0]
         angle = float(np.arctan2(side[1], side[0]))
-        angle -= np.pi / 2 * round(angle / (np.pi / 2))
+        # Half a right angle is one, whichever way rounding has it.
+        angle -= np.pi / 2 * np.ceil(angle / (np.pi / 2) - 0.5 - ROUNDING)
         if abs(angle) > 1e-3:
             yield angle
 

@@ -120,3 +120,13 @@ def test_a_closed_line_is_no_straight_one() -> None:
     there_and_back = Outline(np.array([straight(0, 0, 9, 0), straight(9, 0, 0, 0)]))
     item = Item((there_and_back,), Style(None, Stroke(Colour())))
     assert not isinstance(form_of(item), Segment)
+
+
+@pytest.mark.parametrize("off", [-1e-12, 0.0, 1e-12])
+@pytest.mark.parametrize("quarters", [0, 1])
+def test_a_box_that_leans_by_half_a_right_angle_leans_one_way(off: float, quarters: int) -> None:
+    angle = np.pi / 4 + quarters * np.pi / 2 + off
+    form = form_of(filled(rounded(9.0, 4.0, 1.0, 1.0, angle)))
+    assert isinstance(form, RoundedBox)
+    assert form.angle == pytest.approx(np.pi / 4, abs=1e-6)
+    np.testing.assert_allclose(form.sides, (9, 4) if quarters == 0 else (4, 9), atol=1e-6)
