@@ -53,4 +53,5 @@ def key_of(source: Source) -> str | int:
     text = _text_of(source)
     if text is not None:
         return text.decode("utf-8", "surrogateescape")
-    return str(Path(source if isinstance(source, PathLike) else str(source)).absolute())
+    assert not isinstance(source, bytes)  # it is text
+    return str(Path(source).absolute())

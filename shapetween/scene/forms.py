@@ -17,7 +17,7 @@ from shapetween.geometry.bezier import end_tangents
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.model.outline import Outline
-from shapetween.scene.items import Item
+from shapetween.scene.items import Item, intersection_over_union
 
 if TYPE_CHECKING:
     import shapely
@@ -222,7 +222,9 @@ def _box_of(area: "shapely.Geometry") -> RoundedBox | None:
             if bound < LIKE_BOX or (best is not None and bound <= best[0]):
                 continue
             # All of an area lies in the box round it.
-            like = size / whole if radii.max() == 0 else _common(area, _polygon(box))
+            like = (
+                size / whole if radii.max() == 0 else intersection_over_union(area, _polygon(box))
+            )
             like += UPRIGHT * (angle == 0.0)
             if like >= LIKE_BOX and (best is None or like > best[0]):
                 best = like, box
@@ -270,12 +272,6 @@ def _border_area(box: RoundedBox) -> float:
     """What the border encloses."""
     of_circle = 2 * STEPS * np.sin(np.pi / 2 / STEPS)
     return float(box.sides.prod() - (4 - of_circle) * box.radii.prod())
-
-
-def _common(one: "shapely.Geometry", other: "shapely.Geometry") -> float:
-    """Area of the intersection over that of the union."""
-    both = one.intersection(other).area
-    return float(both / (one.area + other.area - both))
 
 
 def _corners(line: Outline) -> tuple[Floats, Floats]:

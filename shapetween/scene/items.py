@@ -24,7 +24,7 @@ from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["SAMPLES", "Item", "Painted", "items_of", "seen_colour"]
+__all__ = ["SAMPLES", "Item", "Painted", "intersection_over_union", "items_of", "seen_colour"]
 
 #: Even samples of an item's ring. Fewer cut small corners off what items are compared by; more
 #: cost time with their square, where all items are compared with each other.
@@ -299,6 +299,13 @@ def seen_colour(paint: Paint, opacity: float) -> Floats:
 def _premultiplied(colour: Colour, opacity: float) -> Floats:
     alpha = colour.alpha * opacity
     return np.append(to_oklab(colour) * alpha, alpha)
+
+
+def intersection_over_union(one: "shapely.Geometry", other: "shapely.Geometry") -> float:
+    """Area that two regions both cover, as a share of what either does; 0 of two without any."""
+    both = one.intersection(other).area
+    either = one.area + other.area - both
+    return float(both / either) if either > 0 else 0.0
 
 
 def _even_points(line: Points, count: int, *, closed: bool) -> Points:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import curve_lengths, flatten
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
-from shapetween.scene.items import SAMPLES, Item
+from shapetween.scene.items import SAMPLES, Item, intersection_over_union
 from shapetween.scene.kept.areas import (
     COLOUR,
     MOST_AREAS,
@@ -24,9 +24,6 @@ from shapetween.scene.kept.areas import (
 from shapetween.scene.kept.inverted import inverted_tracks
 from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.scene.motion.tracks import Frame, Framed
-
-if TYPE_CHECKING:
-    import shapely
 
 __all__ = ["kept_drawings", "slide_between"]
 
@@ -137,12 +134,12 @@ def _one_sided(kept: Kept) -> bool:
         for side, areas in zip((kept.first, kept.second), own, strict=True)
     ]
     return any(
-        all(any(_is_same(one, other) for other in left[1 - k]) for one in left[k]) for k in (0, 1)
+        all(
+            any(intersection_over_union(one, other) > SAME for other in left[1 - k])
+            for one in left[k]
+        )
+        for k in (0, 1)
     )
-
-
-def _is_same(one: "shapely.Geometry", other: "shapely.Geometry") -> bool:
-    return bool(one.intersection(other).area > SAME * one.union(other).area)
 
 
 def _is_all(kept: Kept) -> bool:

@@ -14,7 +14,7 @@ from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.model.part import CurveTrack
-from shapetween.scene.items import Item
+from shapetween.scene.items import Item, intersection_over_union
 from shapetween.scene.kept.appearing import Against
 from shapetween.scene.kept.badges import Grown
 from shapetween.scene.kept.holes import matched_hole_track
@@ -83,7 +83,7 @@ def inverted_tracks(
             continue
         if sum(map(len, mine)) > MOST or not _is_shown(mine, shown, plate):
             continue
-        if any(_in_common(area.enclosed, plate.enclosed) > UNLIKE for area in mine[0]):
+        if any(intersection_over_union(area.enclosed, plate.enclosed) > UNLIKE for area in mine[0]):
             continue  # it stands where it stood, and gets something in its hole
         tracks: list[CurveTrack] = [
             Grown((plate.outer.clockwise(),), plate.box.mean(axis=0), comes)
@@ -132,12 +132,7 @@ def _is_shown(mine: Sign, shown: Sign, plate: Item) -> bool:
     if own.hausdorff_distance(there) > SAME or own.area > BLOT * own.convex_hull.area:
         return False
     whole, filled = _region(([plate.replaced(plate.rings[:1])], [])), _region((mine[0], []))
-    return _in_common(filled, whole) < UNLIKE
-
-
-def _in_common(one: "shapely.Geometry", other: "shapely.Geometry") -> float:
-    """Share of what either area covers that both do."""
-    return float(one.intersection(other).area / one.union(other).area)
+    return intersection_over_union(filled, whole) < UNLIKE
 
 
 def _box(items: Sequence[Item]) -> Points:

@@ -109,10 +109,10 @@ def _slash(
         line = [own.centre - 2 * scale * own.ahead, own.centre + 2 * scale * own.ahead]
         strip = shapely.LineString(line).buffer(own.half * 1.15, cap_style="flat")
         along = [other for other in pieces if strip.contains(other)]
-        bar = bar_of(shapely.union_all(along).convex_hull, comes)
+        hull = shapely.union_all(along).convex_hull
+        bar = bar_of(hull, comes)
         if bar is None or bar.length < LONG * scale:
             continue
-        hull = shapely.union_all(along).convex_hull
         missing = hull.difference(drawn).area
         if missing < MISSING * hull.area and difference.intersection(hull).area > NEW * hull.area:
             return bar
