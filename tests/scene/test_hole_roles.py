@@ -1,7 +1,10 @@
 """Holes become each other by place, size and role."""
 
 import numpy as np
+import shapely
+from shapely import affinity
 
+from shapetween.geometry.bezier import flatten
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.scene.items import Item
@@ -20,6 +23,11 @@ def plate(*holes: Outline) -> Item:
 
 def disc(x: float, y: float, radius: float) -> Outline:
     return arc((x, y), radius, 0, 4)
+
+
+def still() -> Blend:
+    whole = plate().outer.curves
+    return Blend(Pieces(whole, whole, True), np.zeros((2, 2)))
 
 
 def becomes(first: Item, second: Item) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
@@ -138,3 +146,14 @@ def test_the_hole_that_makes_a_frame_stays_one_whatever_its_form() -> None:
 def test_a_bold_letter_becomes_a_light_one() -> None:
     bold, light = plus(50, 50, 20), plus(50, 50, 16)
     assert len(becomes(plate(bold), plate(light))) == 1
+
+
+def test_a_hole_that_is_symmetric_at_both_ends_stays_so() -> None:
+    chevron = ring([(20, 20), (50, 40), (80, 20), (80, 32), (50, 52), (20, 32)])
+    kite = ring([(50, 12), (80, 40), (50, 70), (20, 40)])
+    (track,) = hole_tracks(plate(chevron), plate(kite), still())
+    for curves in track.curves(np.linspace(0, 1, 7)):
+        points = flatten(curves[None], 16).reshape(-1, 2)
+        area = shapely.Polygon(points)
+        image = affinity.scale(area, -1, 1, origin=(50, 0))
+        assert area.symmetric_difference(image).area < 1e-3 * area.area

@@ -1,5 +1,7 @@
 """Areas of which most stays where it is: that stands still, and only the difference moves."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -12,8 +14,10 @@ from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
 from shapetween.scene.kept.outlines import outline_tracks
+from shapetween.scene.kept.pieces import Piece
 from shapetween.scene.kept.shared_arcs import snapped
 from shapetween.scene.kept.strips import Strip, Tip
+from shapetween.scene.kept.symmetry import Reflection
 from shapetween.svg.read.reader import read_svg
 from tests.drawings import ring, square
 from tests.scene.strokes import arc
@@ -552,3 +556,35 @@ def test_a_slide_that_leaves_more_on_both_sides_is_none() -> None:
     scene = prepared(path(first), path(second)).scene
     assert scene is not None
     assert all(role.reason != "kept" for role in scene.roles.pairs)
+
+
+def lopsided(area: shapely.Geometry, middle: float = 50.0) -> float:
+    """How much of an area is not its own mirror image about an upright axis."""
+    image = affinity.scale(area, -1, 1, origin=(middle, 0))
+    return off(area, image) / float(area.area)
+
+
+def test_a_flap_that_opens_is_as_high_on_both_sides() -> None:
+    case = shapely.box(10, 40, 90, 90)
+    first = case.union(shapely.box(14, 36, 86, 40))
+    second = case.union(shapely.Polygon([(10, 40), (50, 10), (90, 40)]))
+    for area in frames(path(first), path(second)):
+        assert lopsided(area) < 5e-3
+
+
+def test_mirror_images_of_pieces_are_mates_and_move_as_such() -> None:
+    nothing = shapely.LineString()
+    ear, other, badge = (
+        Piece(area, True, nothing, nothing)
+        for area in (
+            shapely.box(0, 0, 10, 20),
+            shapely.box(89, 0, 100, 20),
+            shapely.box(0, 60, 9, 90),
+        )
+    )
+    axis = Reflection(0, 50.0)
+    assert axis.mate(ear, [badge, other]) is other
+    assert axis.mate(badge, [ear, other]) is None
+    assert axis.mate(ear, [replace(other, comes=False)]) is None
+    assert axis.of_way(np.array([0.6, 0.8])).tolist() == [-0.6, 0.8]
+    assert axis.along(np.array([0.6, 0.8])).tolist() == [0.0, 0.8]

@@ -16,6 +16,7 @@ from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.strips import Strip, Tip
+from shapetween.scene.kept.symmetry import Reflection, reflections
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Pieces
 
@@ -74,6 +75,14 @@ EDGE = 0.85
 #: itself. A corner has a quarter; larger, and corners are rounded from all along their edges.
 FLAT = 0.15
 
+#: Part of a direction across an axis of symmetry up to which it is along that. Larger, and a flap
+#: opens from one side; at 0 rounding decides.
+ASKEW = 0.1
+
+#: Area, as a share of what is kept, of a flat piece that is the rounding of a corner. Larger, and
+#: edges that move are clipped; at 0 an envelope whose flap opens is drawn anew for its corners.
+TINY = 0.005
+
 #: Most pieces besides holes and what lies beside bars.
 MOST_PIECES = 6
 
@@ -113,6 +122,7 @@ def tracks_of_pieces(
     """
     import shapely
 
+    axes = reflections(laid)
     holes: list[Piece] = []
     others: list[Piece] = []
     for piece in laid.pieces:
@@ -125,6 +135,7 @@ def tracks_of_pieces(
     groups, rest = _beside(others, bars)
     if not any(groups):
         bars = _common_bar(others, laid.kept)
+        bars = [bar for bar in bars if not any(_across(bar, axis) for axis in axes)]
         groups, rest = _beside(others, bars)
     openings = [unmatched_hole_track(laid.rings_of(piece)[0], piece.comes) for piece in holes]
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
@@ -135,7 +146,8 @@ def tracks_of_pieces(
         outlines = outline_tracks(first, second, laid.snapped.arcs, reach)
         if outlines is not None:
             return (*outlines, *openings)
-    if min(areas) > MOVED * laid.kept.area or len(rest) > MOST_PIECES or _edges_move(rest, reach):
+    edges = _edges_move(rest, laid.kept.area, reach)
+    if min(areas) > MOVED * laid.kept.area or len(rest) > MOST_PIECES or edges:
         return None
     solid = shapely.union_all([laid.kept, *(p.area for p in holes)])
     rings = sorted(laid.outlines(solid), key=lambda r: -round(abs(r.area) / laid.scale**2, 9))
@@ -144,7 +156,7 @@ def tracks_of_pieces(
         tracks += _along(bar, group, laid)
     for piece in (*rest, *slivers):
         waits = any(piece is own for own in cleared)
-        track = _at_contact(piece, laid, cut=waits)
+        track = _at_contact(piece, _even_way(piece, laid.pieces, axes), laid, cut=waits)
         tracks.append(InTurn(track, first=not piece.comes) if waits else track)
     return (*tracks, *openings)
 
@@ -166,7 +178,7 @@ def _beside(pieces: Sequence[Piece], bars: Sequence[Bar]) -> tuple[list[list[Pie
     return groups, rest
 
 
-def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
+def _edges_move(rest: Sequence[Piece], kept: float, reach: float) -> bool:
     """Whether what comes and goes lies along edges that move, rather than being parts by itself."""
     import shapely
 
@@ -177,7 +189,8 @@ def _edges_move(rest: Sequence[Piece], reach: float) -> bool:
         across = float(np.hypot(*(ends[-1] - ends[0]))) if len(ends) == 2 else np.inf
         bent = across < STRAIGHT * piece.contact.length < STRAIGHT * piece.free.length
         notch = piece.contact.length > NOTCH * piece.free.length
-        if bent or (piece.area.area < FLAT * piece.contact.length**2 and not notch):
+        flat = piece.area.area < FLAT * piece.contact.length**2 and not notch
+        if bent or (flat and piece.area.area > TINY * kept):
             return True
     come, go = ([p.area for p in rest if p.comes == comes] for comes in (True, False))
     return bool(
@@ -276,9 +289,39 @@ def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:
     return None if whole.intersects(shapely.MultiPoint(corners)) else bar
 
 
-def _at_contact(piece: Piece, laid: Overlay, *, cut: bool) -> CurveTrack:
+def _across(bar: Bar, axis: Reflection) -> bool:
+    """Whether a bar is drawn from one side to the other of what is symmetric."""
+    return bool(abs(bar.ahead[axis.flips]) > ASKEW)
+
+
+def _even_way(piece: Piece, pieces: Sequence[Piece], axes: Sequence[Reflection]) -> Points:
+    """As `_way`, so that what is symmetric stays so."""
+    for axis in axes:
+        mate = axis.mate(piece, pieces)
+        if mate is None:
+            continue
+        if mate is not piece:
+            first = next(own for own in pieces if own is piece or own is mate)
+            way = _way(first)
+            return way if first is piece else axis.of_way(way)
+        way = axis.along(_way(piece))
+        length = float(np.hypot(*way))
+        if length <= ASKEW:  # it lies across the axis, and comes from its foot
+            way = axis.along(_from_foot(piece))
+            length = float(np.hypot(*way))
+        if length > 0:
+            return np.asarray(way / length)
+    return _way(piece)
+
+
+def _from_foot(piece: Piece) -> Points:
+    """From the middle of what a piece touches to that of its free border."""
+    middles = [np.array([g.centroid.x, g.centroid.y]) for g in (piece.contact, piece.free)]
+    return np.asarray(middles[1] - middles[0])
+
+
+def _at_contact(piece: Piece, way: Points, laid: Overlay, *, cut: bool) -> CurveTrack:
     """A piece that comes out of what it touches, or goes into it; or is cut off by a line."""
-    way = _way(piece)
     rings = laid.rings_of(piece)
     low, high = extent_along(rings, way)
     if not cut and _stands(piece, laid) and _has_walls(piece, way):
@@ -341,8 +384,7 @@ def _way(piece: Piece) -> Points:
         edge = _edge_way(piece)
         if edge is not None:
             return edge
-        middles = [np.array([g.centroid.x, g.centroid.y]) for g in (piece.contact, piece.free)]
-        way = middles[1] - middles[0]
+        way = _from_foot(piece)
         length = float(np.hypot(*way))
         if length > ONE_SIDED * size:
             return np.asarray(way / length)

@@ -16,6 +16,7 @@ from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import ring_knots
 from shapetween.scene.motion.boxes import box_blend
 from shapetween.scene.motion.hole_pairs import distances, divided_hole, paired_holes
+from shapetween.scene.motion.mirrored import even_knots
 from shapetween.scene.motion.pinned import pinned_pieces
 from shapetween.scene.motion.tracks import Blend, OfTrack
 from shapetween.scene.places import Pieces, Places, cut_alike
@@ -241,7 +242,8 @@ def matched_holes(one: Item, other: Item, pins: Points | None = None) -> Pieces:
     if isinstance(forms[0], RoundedBox) and isinstance(forms[1], RoundedBox):
         pieces = box_blend(forms[0], forms[1], *places).pieces
     else:
-        pieces = cut_alike(*places, *ring_knots(*places))
+        even = even_knots(*places)
+        pieces = cut_alike(*places, *(ring_knots(*places) if even is None else even))
     return pieces if pins is None else pinned_pieces(one, other, pins, pieces)
 
 
