@@ -42,7 +42,7 @@ both of shape (F, T_inside), from pose to pose."""
 BLEND_WEIGHT = 1e-3
 #: Rounds of finding rotations and vertices in turns. More come nearer to the least energy; fewer
 #: keep more of the wanted rotations.
-ROUNDS = 3
+ROUNDS = 4
 #: How strongly a triangle holds to the rotation first wanted, against the one that fits. None, and
 #: triangles that shrink to nothing spin; much, and limbs are kept short.
 PRIOR = 0.5
@@ -69,7 +69,7 @@ class Stiffness:
     """
 
     outside: float = 0.5
-    length: float = 8.0
+    length: float = 9.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -23,7 +23,7 @@ FramesCheck: TypeAlias = Callable[[Floats, Points], Mask]
 
 #: Settings in the order tried. The first keeps limbs long; each later one keeps parts further
 #: apart and lets limbs shorten.
-STIFFNESS_SCHEDULE = (Stiffness(0.5, 8.0), Stiffness(1.0, 1.0), Stiffness(3.0, 0.0))
+STIFFNESS_SCHEDULE = (Stiffness(0.5, 9.5), Stiffness(1.0, 1.0), Stiffness(3.0, 0.0))
 
 #: Even times at which a motion is solved, and at which it is repaired where outlines cross. Fewer
 #: lose quick movements; more cost time and change nothing that is seen.

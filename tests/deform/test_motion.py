@@ -161,10 +161,10 @@ def test_edges_turn_at_a_steady_pace_and_keep_near_their_length() -> None:
     edges = np.roll(moved, -1, axis=1) - moved
     angle = np.unwrap(np.arctan2(edges[..., 1], edges[..., 0]), axis=0)
     steady = (1 - t)[:, None] * angle[0] + t[:, None] * angle[-1]
-    assert 0.062 < np.abs(angle - steady).max() < 0.078
+    assert 0.0637 < np.abs(angle - steady).max() < 0.0658
     length = np.linalg.norm(edges, axis=2).sum(axis=1)
     straight = (1 - t) * length[0] + t * length[-1]
-    assert 0.0405 < np.abs(length / straight - 1).max() < 0.043
+    assert 0.0352 < np.abs(length / straight - 1).max() < 0.0372
 
 
 def test_what_only_inverted_triangles_hold_is_carried_by_a_blend() -> None:
