@@ -157,6 +157,10 @@ def path_at(path: ET.Element, seconds: float) -> str:
 def value_at(element: ET.Element, attribute: str, seconds: float) -> str:
     """The value that an attribute which only jumps has at a moment."""
     value = element.get(attribute, "")
+    for jump in element.findall(f"{SVG}set[@attributeName='{attribute}']"):
+        if seconds >= seconds_of(jump.get("begin", "0s")):
+            assert jump.get("fill") == "freeze"
+            value = jump.attrib["to"]
     for animation in element.findall(f"{SVG}animate[@attributeName='{attribute}']"):
         now = progress(animation, seconds)
         if now is not None:

@@ -14,7 +14,7 @@ from shapetween.svg.write.animate import animate
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import GradientDefs, add_shape, document, text_of
 from shapetween.svg.write.numbers import decimals_for, number
-from shapetween.svg.write.smil import add_part
+from shapetween.svg.write.parts import PartWriter
 from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Timeline
@@ -129,8 +129,9 @@ def _add_movement(
 ) -> None:
     assert variant.movement is not None  # asked for only where there is one
     tolerance = COARSER * KEYFRAME_TOLERANCE * max(box.width, box.height)
+    writer = PartWriter(clock, gradients, tolerance)
     for part in variant.movement.parts:
-        add_part(parent, part, clock, gradients, {}, tolerance)
+        writer.add(parent, part, {})
 
 
 def _add_mesh(parent: ET.Element, variant: Variant, box: Box, clock: Clock) -> None:

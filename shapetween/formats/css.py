@@ -20,12 +20,12 @@ from shapetween.formats.names import identifier
 from shapetween.formats.options import WriteOptions
 from shapetween.formats.plain import colour_losses, group_losses, plain_styles
 from shapetween.formats.table import Segments, Written
-from shapetween.formats.united import united
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Paint, Style
 from shapetween.model.part import Part
 from shapetween.model.tracks import style_tracks
+from shapetween.model.united import united
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 from shapetween.svg.write.elements import alpha_text
 from shapetween.svg.write.numbers import number

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapetween.base.arrays import Floats
 from shapetween.timing.easing import LINEAR, easing_function
 from shapetween.timing.schedule import Schedule
-from shapetween.timing.sums import MOST_TERMS, EasingSum, sum_of_easings, united
+from shapetween.timing.sums import MOST_IN_TURN, MOST_TERMS, EasingSum, sum_of_easings, united
 from shapetween.timing.windows import Eased, turning_times
 
 SCHEDULE, _ = Schedule.of("linear").finer()
@@ -184,7 +184,7 @@ def test_what_is_drawn_out_piece_by_piece_is_one_even_window_each() -> None:
     assert np.linalg.norm(away, axis=-1).max() <= TOLERANCE + STEP
 
 
-@pytest.mark.parametrize(("pieces", "sums"), [(MOST_TERMS - 2, True), (MOST_TERMS + 2, False)])
+@pytest.mark.parametrize(("pieces", "sums"), [(MOST_IN_TURN - 2, True), (MOST_IN_TURN + 2, False)])
 def test_windows_one_after_another_are_no_more_than_a_player_is_to_add(
     pieces: int, sums: bool
 ) -> None:

@@ -7,6 +7,8 @@ and only at as many keyframes as it needs.
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from shapetween.base.arrays import Floats, Index
 from shapetween.svg.write.clock import Clock
 
@@ -14,6 +16,7 @@ __all__ = [
     "animate",
     "animate_choice",
     "animate_number",
+    "animate_seen",
     "animate_shown",
     "animate_transform",
 ]
@@ -82,6 +85,19 @@ def animate_choice(element: ET.Element, attribute: str, clock: Clock, track: Seq
     _add(element, attribute, clock.jumping(jumps, values))
 
 
+def animate_seen(
+    element: ET.Element, clock: Clock, seen: tuple[float, float], opacity: str
+) -> None:
+    """Let an element have its opacity between two times of the movement, and none outside."""
+    inside = [(time, text) for time, text in zip(seen, (opacity, "0"), strict=True) if 0 < time < 1]
+    values = ["0" if seen[0] > 0 else opacity, *(text for _, text in inside)]
+    if values[0] != "1":
+        element.set("opacity", values[0])
+    schedule, _ = clock.schedule.finer()
+    jumps = np.interp([time for time, _ in inside], schedule.time, schedule.clock)
+    _add(element, "opacity", clock.jumping(jumps, values))
+
+
 def animate_shown(element: ET.Element, clock: Clock) -> None:
     """Show an element while the leg of the clock is to be seen, and no longer."""
     _add(element, "display", clock.showing("inline", "none"))
@@ -89,4 +105,5 @@ def animate_shown(element: ET.Element, clock: Clock) -> None:
 
 def _add(element: ET.Element, attribute: str, timings: Sequence[dict[str, str]]) -> None:
     for timing in timings:
-        ET.SubElement(element, "animate", {"attributeName": attribute, **timing})
+        tag = "set" if "to" in timing else "animate"
+        ET.SubElement(element, tag, {"attributeName": attribute, **timing})

@@ -18,7 +18,7 @@ from shapetween.svg.write.animate import animate_number, animate_transform
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import ALPHA_DECIMALS, GradientDefs, add_pattern, alpha_text
 from shapetween.svg.write.numbers import number
-from shapetween.svg.write.shape import ShapeMotion
+from shapetween.svg.write.shape import ShapeMotion, add_motion
 
 __all__ = ["add_ends", "fills_of", "keep_pattern"]
 
@@ -72,7 +72,6 @@ def add_ends(
         path = ET.SubElement(parent, "path", {"fill": add_pattern(pattern, defs)[1]})
         if styles[0].fill_rule != "nonzero":
             path.set("fill-rule", styles[0].fill_rule)
-        path.set("d", motion.rest)
         shares = np.clip(2 * (times if last else 1 - times) - 1, 0.0, 1.0)
         opaque = pattern_is_opaque(part, last)
         if opaque:  # it lies below until it is covered
@@ -80,8 +79,7 @@ def add_ends(
         opacities = shares * np.array([style.opacity for style in styles])
         path.set("opacity", alpha_text(float(opacities[0])))
         animate_number(path, "opacity", clock, opacities, SHARE_TOLERANCE, alpha_text)
-        for attributes in motion.animations:
-            ET.SubElement(path, "animate", attributes)
+        add_motion(path, motion)
 
 
 def pattern_is_opaque(part: Part, last: bool) -> bool:

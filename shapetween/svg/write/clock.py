@@ -145,7 +145,14 @@ class Clock:
         return not others and (first.start, first.end) == (0.0, self.timeline.seconds)
 
     def jumping(self, jumps: Floats, values: Sequence[str]) -> list[dict[str, str]]:
-        """Attributes that show the first value, and from each of some times on the next."""
+        """Attributes that show the first value, and from each of some times on the next.
+
+        A single jump that is played once needs no more than what comes then.
+        """
+        if self.timeline.loop == "once" and self.trigger is None and len(jumps) == 1:
+            (iteration,) = self._iterations
+            begin = _seconds(float(iteration.at(jumps)[0]))
+            return [{"to": values[1], "begin": begin, "fill": "freeze"}]
         found = []
         for way in self._ways:
             times, shown = [way.since], [values[-1] if way.iterations[0].back else values[0]]

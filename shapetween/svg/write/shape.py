@@ -6,6 +6,7 @@ it. So the numbers at rest take no part in it, and a program that rewrites them 
 Else, and where a number of keyframes is asked for, one animation runs through keyframes.
 """
 
+import xml.etree.ElementTree as ET
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
@@ -14,14 +15,14 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index
 from shapetween.geometry.merging import merged_curves
-from shapetween.model.part import Part, shown_while
+from shapetween.model.part import Part
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.sums import EasingSum, sum_of_easings, united
 from shapetween.timing.windows import turning_times
 
-__all__ = ["ShapeMotion", "shape_motion"]
+__all__ = ["ShapeMotion", "add_motion", "shape_motion"]
 
 #: How far a handle may be from the chord of a curve that is written as a line, for the tolerance of
 #: points: less than half of it. Larger and curves that bulge on the way are flattened.
@@ -41,6 +42,9 @@ STILL = 0.25
 #: Bytes of a keyframe and of one more animation besides path data, and the data of a sum's term
 #: beside that of a keyframe. They only decide between the two, whichever file is smaller.
 KEYFRAME, ANIMATION, TERM = 8, 130, 0.5
+
+#: Bytes of an animation besides its attributes.
+ELEMENT = 16
 
 #: Curves of all keyframes of a path that are written, about 30 bytes each, before keyframes become
 #: fewer by ever looser tolerances; but so many keyframes there are. More and browsers stall on it.
@@ -79,10 +83,25 @@ class ShapeMotion:
     def bytes(self) -> int:
         """About how many it takes."""
         texts = [text for each in self.animations for pair in each.items() for text in pair]
-        return len(self.rest) + sum(len(text) + 2 for text in texts)
+        return (
+            len(self.rest) + sum(len(text) + 2 for text in texts) + ELEMENT * len(self.animations)
+        )
 
 
-def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> ShapeMotion:
+def add_motion(path: ET.Element, motion: ShapeMotion) -> None:
+    """Let a path move."""
+    path.set("d", motion.rest)
+    for attributes in motion.animations:
+        ET.SubElement(path, "set" if "to" in attributes else "animate", attributes)
+
+
+def shape_motion(
+    part: Part,
+    clock: Clock,
+    decimals: int,
+    tolerance: float,
+    seen: tuple[float, float] = (0.0, 1.0),
+) -> ShapeMotion:
     """How a part moves.
 
     Parameters
@@ -93,9 +112,10 @@ def shape_motion(part: Part, clock: Clock, decimals: int, tolerance: float) -> S
         Of coordinates.
     tolerance : float
         How far points may be off on the way, in user units.
+    seen : (float, float)
+        From when until when anything is seen of it: where it goes before and after is not told.
     """
     clock = _for_so_many(clock, sum(part.rings))
-    seen = shown_while(part) if clock.adaptive else (0.0, 1.0)
     plan = _Plan(part, clock, decimals, tolerance, seen)
     moved = plan.as_one()
     if not clock.adaptive or not 1 < len(part.rings) <= MOST_RINGS:

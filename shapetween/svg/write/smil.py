@@ -15,15 +15,13 @@ import numpy as np
 from shapetween.model.drawing import Shape
 from shapetween.model.movement import Movement
 from shapetween.model.part import Part
-from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate import animate_shown
 from shapetween.svg.write.animate_groups import add_parts
-from shapetween.svg.write.animate_pattern import add_ends, fills_of, keep_pattern
-from shapetween.svg.write.animate_style import animate_style
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.elements import LATER, GradientDefs, document, named, text_of
+from shapetween.svg.write.gathered import gathered
 from shapetween.svg.write.numbers import decimals_of
-from shapetween.svg.write.shape import shape_motion
+from shapetween.svg.write.parts import PartWriter
 from shapetween.svg.write.triggers import add_triggers, trigger_of
 from shapetween.svg.write.twins import (
     MOVING,
@@ -37,14 +35,7 @@ from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Loop, Timeline
 
-__all__ = ["add_part", "smil_svg"]
-
-#: Paint is looked at on every fourth sample: it changes evenly, and slower than shapes.
-PAINT_STRIDE = 4
-
-#: A style's times are kept inside these, where it has all it needs on the way (a plain colour on
-#: its way to a gradient is a gradient there) and differs from its ends by nothing to be seen.
-INSIDE = (1e-6, 1 - 1e-6)
+__all__ = ["smil_svg"]
 
 
 def smil_svg(
@@ -104,15 +95,21 @@ def smil_svg(
     root.append(gradients.element)
     drawn = len(root)
     moving = root if len(legs) == 1 else ET.SubElement(root, "g", MOVING)
-    ids = iter(named([part.name for leg in legs for part in leg.parts]))
+    tolerance = KEYFRAME_TOLERANCE * max(first.box.width, first.box.height)
     paths: list[ET.Element] = []
-    for k, leg in enumerate(legs):
-        group = moving if len(legs) == 1 else _add_leg(moving, replace(clock, leg=k))
+    shown: Sequence[Shape] = ()
+    writers = [PartWriter(replace(clock, leg=k), gradients, tolerance) for k in range(len(legs))]
+    if clock.adaptive:
+        legs = tuple(gathered(leg, writer) for leg, writer in zip(legs, writers, strict=True))
+    ids = iter(named([part.name for leg in legs for part in leg.parts]))
+    for leg, writer in zip(legs, writers, strict=True):
+        group = moving if len(legs) == 1 else _add_leg(moving, writer.clock)
+        before, after = (drawing.shapes for drawing in leg.at(np.array([0.0, 1.0])))
+        shown = shown or before
         names = [next(ids) for _ in leg.parts]
-        both = ends[2 * k].shapes, ends[2 * k + 1].shapes
-        paths += _add_movement(group, leg, names, both, replace(clock, leg=k), gradients)
+        paths += _add_movement(group, leg, names, (before, after), writer)
     for run in runs_of_moving(root, drawn, gradients) if len(legs) == 1 else [moving]:
-        add_twins(root, run, zip(paths, ends[0].shapes, strict=False), gradients)
+        add_twins(root, run, zip(paths, shown, strict=False), gradients)
         sheet.text = REDUCED_MOTION
     add_triggers(root, first.box, clock)
     sheet.text = (sheet.text or "") + gradients.style_sheet
@@ -130,21 +127,18 @@ def _add_movement(
     leg: Movement,
     names: Sequence[dict[str, str]],
     ends: tuple[Sequence[Shape], Sequence[Shape]],
-    clock: Clock,
-    gradients: GradientDefs,
+    writer: PartWriter,
 ) -> list[ET.Element]:
     """Write all parts of a leg; the first path of each."""
-    slower = _slower(clock)
-    tolerance = KEYFRAME_TOLERANCE * max(gradients.box.width, gradients.box.height)
     firsts: list[ET.Element] = []
 
     def add(inside: ET.Element, part: Part, name: dict[str, str]) -> None:
-        paths = add_part(inside, part, clock, gradients, name, tolerance)
+        paths = writer.add(inside, part, name)
         if len(firsts) < len(leg.parts) and part is leg.parts[len(firsts)]:  # not one of a mask
             firsts.append(paths[0])
 
-    times = np.clip(slower.schedule.time, *INSIDE)
-    add_parts(parent, leg.parts, names, ends, slower, times, gradients, tolerance, add)
+    defs, tolerance = writer.gradients, writer.tolerance
+    add_parts(parent, leg.parts, names, ends, writer.slower, writer.times, defs, tolerance, add)
     return firsts
 
 
@@ -159,43 +153,8 @@ def _add_leg(parent: ET.Element, clock: Clock) -> ET.Element:
     return group
 
 
-def _slower(clock: Clock) -> Clock:
-    """The clock of paint."""
-    strided = clock.schedule.strided(PAINT_STRIDE if clock.adaptive else 1)
-    return replace(clock, schedule=strided)
-
-
 def _clock(timeline: Timeline, easing: str, keyframes: Literal["auto"] | int) -> Clock:
     """The clock the options ask for, of the first leg."""
     if keyframes == "auto":
         return Clock(Schedule.of(easing), True, timeline)
     return Clock(Schedule.of(easing, keyframes), False, timeline)
-
-
-def add_part(
-    parent: ET.Element,
-    part: Part,
-    clock: Clock,
-    gradients: GradientDefs,
-    name: dict[str, str],
-    tolerance: float,
-) -> list[ET.Element]:
-    """Write a part as an animated path, or as several that take turns where its kind of paint does.
-
-    `tolerance` is how far points may be off between two keyframes.
-    """
-    motion = shape_motion(part, clock, gradients.decimals, tolerance)
-    slower = _slower(clock)
-    times = np.clip(slower.schedule.time, *INSIDE)
-    styles = [part.style(t) for t in times.tolist()]
-    add_ends(parent, part, styles, times, slower, gradients, motion)
-    paths = []
-    for track in style_tracks(fills_of(part, styles, times)):
-        path = ET.SubElement(parent, "path", name if track.start == 0 else {})
-        animate_style(path, track, slower, gradients, tolerance)
-        keep_pattern(path, track.styles, slower, gradients, tolerance)
-        path.set("d", motion.rest)
-        for attributes in motion.animations:
-            ET.SubElement(path, "set" if "to" in attributes else "animate", attributes)
-        paths.append(path)
-    return paths

@@ -103,7 +103,7 @@ def _share_paint(group: ET.Element) -> None:
 
 
 def _has_animation(element: ET.Element) -> bool:
-    return any(each.tag in ("animate", "animateTransform") for each in element.iter())
+    return any(each.tag in ("animate", "animateTransform", "set") for each in element.iter())
 
 
 def _uses(element: ET.Element, urls: list[str]) -> bool:

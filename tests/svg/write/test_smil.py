@@ -23,7 +23,7 @@ from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.easing import easing_function
 from shapetween.timing.timeline import Loop
 from tests.movements import circle, formula_part, rest, sample_chain, sample_movement, spin
-from tests.smil import SVG, commands_of, curves_of, path_at
+from tests.smil import SVG, commands_of, curves_of, path_at, value_at
 
 STOPS = (Stop(0.0, Colour(1, 1, 0)), Stop(1.0, Colour(0, 0, 0.5)))
 STRIPES = Gradient("linear", (10, 40, 60, 60), (1, 0, 0, 1, 0, 0), STOPS)
@@ -92,6 +92,40 @@ def test_what_is_not_seen_does_not_move() -> None:
     for each in told:
         until = float(each.get("begin", "0s")[:-1]) + float(each.attrib["dur"][:-1])
         assert until <= 0.411
+
+
+class Shown:
+    """Painted between some times, and transparent outside."""
+
+    def __init__(self, *spans: tuple[float, float]) -> None:
+        self.spans = spans
+
+    def at(self, t: float) -> Style:
+        return Style(Colour(0, 0, 0), opacity=float(any(a < t < b for a, b in self.spans)))
+
+
+@pytest.mark.parametrize("loop", ["once", "repeat", "alternate"])
+def test_what_comes_or_goes_at_once_does_so_to_the_moment(loop: Loop) -> None:
+    curves = circle(np.array([50.0, 40.0]), 30.0)
+    part = formula_part(curves, spin(0.4, (30.0, 20.0)))
+    parts = tuple(replace(part, paint=Shown(span)) for span in ((-1, 0.4137), (0.4137, 2)))
+    text = smil_svg(Movement(parts, Box(0, 0, 100, 100)), duration=1.0, loop=loop)
+    for path, wanted in zip(moving_paths(ET.fromstring(text)), ("1 0", "0 1"), strict=True):
+        for second in (0.4132, 0.4142):
+            shown = value_at(path, "opacity", second) or "1"
+            assert shown == wanted.split()[second > 0.4137]
+        if loop == "alternate":
+            assert (value_at(path, "opacity", 1.7) or "1") == wanted[0]
+
+
+def test_what_is_seen_twice_moves_all_the_while() -> None:
+    curves = circle(np.array([50.0, 40.0]), 30.0)
+    part = formula_part(curves, spin(0.4, (30.0, 20.0)))
+    part = replace(part, paint=Shown((-1, 0.3), (0.6, 0.9)))
+    text = smil_svg(Movement((part,), Box(0, 0, 100, 100)), duration=1.0)
+    (path,) = moving_paths(ET.fromstring(text))
+    ((shown, _),) = curves_of(path_at(path, 0.75))
+    assert np.abs(shown - part.curves(np.array([0.75]))[0]).max() < 0.05
 
 
 def test_every_value_has_the_same_commands_and_the_file_rests_at_its_start() -> None:
@@ -326,8 +360,8 @@ def test_precision_is_that_of_the_file() -> None:
 def test_the_twin_says_once_what_is_painted_alike() -> None:
     stroke = Style(None, Stroke(Colour(1, 0, 0), 2.0, cap="round"))
     parts = tuple(
-        formula_part(circle(np.array([x, 50.0]), 9.0), spin(0.3, (5, 0)), stroke, stroke)
-        for x in (30.0, 60.0)
+        formula_part(circle(np.array([x, 50.0]), 9.0), spin(0.3, (5, 0)), stroke, stroke, name)
+        for x, name in ((30.0, "one"), (60.0, "other"))
     )
     text = smil_svg(Movement(parts, Box(0, 0, 100, 100)))
     (twin,) = (
