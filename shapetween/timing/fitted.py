@@ -15,6 +15,10 @@ __all__ = ["fitted_keyframes", "hat_functions"]
 #: movement bends. With none, what hardly moves has no knots at all, and one jump takes them all.
 EVEN_SHARE = 0.05
 
+#: What the nearest sample must weigh at a knot. With less a value there is anybody's guess, none at
+#: all between two samples, and the error at samples does not tell; more, and jumps have no knots.
+KNOWN = 0.5
+
 #: Decimals that knots are rounded to, as shares of the whole: what hangs on the last bit of a
 #: root, or of a solve, must not reach a file.
 KNOT_DECIMALS = 6
@@ -56,12 +60,16 @@ def fitted_keyframes(samples: Floats, times: Floats, tolerance: float) -> tuple[
     while high - low > 1:
         count = (low + high) // 2
         knots = _spread(cumulated, times, count)
-        values = _fitted(flat, hat_functions(times, knots))
-        off = hat_functions(times, knots) @ values
+        weights = hat_functions(times, knots)
+        if weights.max(axis=0).min() < KNOWN:
+            low = count
+            continue
+        values = _fitted(flat, weights)
+        off = weights @ values
         off -= flat
         off *= off
         if np.sqrt(off.reshape(*samples.shape[:2], -1).sum(axis=-1).max()) <= tolerance:
-            best, high = (knots, values.reshape(count, *samples.shape[1:])), count
+            best, high = (knots, values.reshape(-1, *samples.shape[1:])), count
         else:
             low = count
     return best
@@ -90,8 +98,13 @@ def _cumulated_bend(samples: Floats, times: Floats) -> Floats:
 
 
 def _spread(cumulated: Floats, times: Floats, count: int) -> Floats:
-    """Knots that part the bending evenly."""
-    knots = np.interp(np.arange(count) / (count - 1), cumulated, times)
+    """Knots that part the bending evenly, at most so many: where they crowd, samples are knots."""
+    order = np.arange(len(times))
+    place = np.interp(np.arange(count) / (count - 1), cumulated, order)
+    crowded = np.diff(place) < 1
+    crowded = np.append(crowded, False) | np.append(False, crowded)
+    place[crowded] = np.rint(place[crowded])
+    knots = np.interp(np.unique(place), order, times)
     span = times[-1] - times[0]
     rounded = times[0] + np.round((knots - times[0]) / span, KNOT_DECIMALS) * span
     rounded[0], rounded[-1] = times[0], times[-1]

@@ -52,3 +52,17 @@ def test_jumps_are_kept(at: float) -> None:
 def test_what_stands_still_has_both_ends_alone() -> None:
     knots, _ = fitted_keyframes(turning(0.0), TIMES, 1e-3)
     assert knots.tolist() == [0, 1]
+
+
+def test_between_samples_nothing_flies_off_where_knots_crowd() -> None:
+    """At sharp corners more knots than samples would be wanted; their values were anything."""
+
+    def places(t: Floats) -> Floats:
+        angle = 2 * np.pi / 3 * np.interp(t, [0, 0.4, 0.7, 1], [0, 1.3, 0.8, 1])
+        return np.stack([100 + 22 * np.cos(angle), 50 + 22 * np.sin(angle)], axis=-1)[:, None]
+
+    knots, values = fitted_keyframes(places(TIMES), TIMES, 0.018)
+    close = np.linspace(0, 1, 4801)
+    shown = hat_functions(close, knots) @ values[:, 0]
+    assert np.linalg.norm(shown - places(close)[:, 0], axis=-1).max() < 0.03
+    assert len(knots) < 60
