@@ -7,6 +7,7 @@ act on column vectors. Angles are radians, positive from the x axis towards the 
 from 0, the source, to 1, the target. Tolerances are shares of a size, never absolute.
 """
 
+from collections.abc import Sequence
 from typing import Any, TypeVar
 
 import numpy as np
@@ -24,6 +25,7 @@ __all__ = [
     "Points",
     "Quads",
     "frozen",
+    "side_by_side",
     "times",
 ]
 
@@ -46,6 +48,11 @@ Mask = NDArray[np.bool_]
 
 
 ItemT = TypeVar("ItemT", bound=np.generic)
+
+
+def side_by_side(stacks: Sequence[Curves]) -> Curves:
+    """Stacks (F, N, 4, 2) of curves as one, (F, sum of N, 4, 2); the only one is not copied."""
+    return stacks[0] if len(stacks) == 1 else np.concatenate(stacks, axis=1)
 
 
 def frozen(

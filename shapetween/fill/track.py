@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Mask, Points
+from shapetween.base.arrays import Curves, Floats, Mask, Points, side_by_side
 from shapetween.deform.check import crossing_frames
 from shapetween.deform.deformation import Deformation
 from shapetween.fill.appearing import AppearingRegion
@@ -61,7 +61,7 @@ class FillTrack:
         # Solving a motion costs most: once for its body and all that is bound to it.
         solved = {id(body): body.path.vertices(t) for body in self.bodies}
         drawn = [body.nodes.curves(solved[id(body)], t) for body in self.bodies]
-        return np.concatenate([*drawn, *self._attached(t, solved)], axis=1)
+        return side_by_side([*drawn, *self._attached(t, solved)])
 
     def crossing(self, t: Floats) -> Mask:
         """At which times (F,) an attached ring crosses itself."""

@@ -106,9 +106,11 @@ def merged_curves(
             again = (changed[:-1] | changed[1:]) & together
             possible = (np.append(possible, False)[kept][:-1] | again) & together
             tried = np.flatnonzero(again)
-    merged = np.moveaxis(held[..., left], (0, 1), (2, 3))
+    merged = np.zeros((len(curves), len(left), 4, 2))
+    for own, at_once in zip(merged, np.moveaxis(held, 2, 0), strict=True):
+        own[:] = np.moveaxis(at_once[..., left], 2, 0)  # all times at once are another copy
     counts = np.bincount(ring[left], minlength=len(rings)).tolist()
-    return np.ascontiguousarray(merged), tuple(counts)
+    return merged, tuple(counts)
 
 
 def _alike(curves: Curves, reach: float) -> Floats | None:
@@ -119,13 +121,14 @@ def _alike(curves: Curves, reach: float) -> Floats | None:
     if len(curves) <= FEW or not curves.size:
         return None
     local = (curves - curves[:, :1, :1]).reshape(len(curves), -1)
-    most = local[int(comparable((local**2).sum(axis=1)).argmax())]
+    most = local[int(comparable(np.einsum("ij,ij->i", local, local)).argmax())]
     square = float(most @ most)
     if not square > 0:
         return None
     sizes = local @ most / square
-    local -= sizes[:, None] * most
-    return sizes if np.abs(local).max() <= reach else None
+    for own, size in zip(local, sizes, strict=True):  # all times at once are another copy
+        own -= size * most
+    return sizes if max(local.max(), -local.min()) <= reach else None
 
 
 def _merged_alike(

@@ -6,7 +6,7 @@ from typing import Protocol, TypeAlias
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats
+from shapetween.base.arrays import Curves, Floats, side_by_side
 from shapetween.base.ends import End
 from shapetween.base.errors import OptionError
 from shapetween.deform.deformation import Deformation
@@ -191,7 +191,7 @@ class Part:
         return replace(self, tracks=tuple(track.following(change) for track in self.tracks))
 
     def _between(self, t: Floats) -> Curves:
-        return np.concatenate([track.curves(t) for track in self.tracks], axis=1)
+        return side_by_side([track.curves(t) for track in self.tracks])
 
 
 def shown_while(part: Part) -> tuple[float, float]:

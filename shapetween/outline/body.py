@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
+from shapetween.base.arrays import Curves, Floats, Index, Mask, Points, side_by_side
 from shapetween.deform.check import simple_frames
 from shapetween.deform.deformation import Deformation
 from shapetween.deform.layout import ring_edges
@@ -155,7 +155,7 @@ class Nodes:
         for ring, part, carrier in zip(self.rings, self.parts, self.carriers, strict=True):
             curves = carrier.curves(vertices[:, part], t)
             drawn.append(curves[:, ::-1, ::-1] if ring.hole else curves)
-        return np.concatenate(drawn, axis=1)
+        return side_by_side(drawn)
 
     def simple(self, t: Floats, vertices: Points) -> Mask:
         """In which frames the drawn rings cross neither themselves nor each other, (F,)."""

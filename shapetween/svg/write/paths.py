@@ -20,6 +20,10 @@ __all__ = ["Grid", "PathForm", "on_grid", "straight_curves"]
 Grid = NDArray[np.int64]
 """Coordinates in steps of the last decimal that is written."""
 
+#: Places of curves, each at each time, that are looked at together. More take memory, some twenty
+#: numbers each; with fewer most of the time goes to calls.
+AT_ONCE = 100_000
+
 _NONE = -1
 
 
@@ -140,6 +144,17 @@ def straight_curves(curves: Curves, between: float, ends: float) -> Mask:
     -------
     (N,) bool
     """
+    result = np.ones(curves.shape[1], dtype=bool)
+    step = max(1, AT_ONCE // max(len(curves), 1))
+    for k in range(0, len(result), step):
+        away = _from_chords(curves[:, k : k + step])
+        at_ends = away[[0, -1]].max(axis=0, initial=0.0) <= ends
+        result[k : k + step] = at_ends & (away.max(axis=0, initial=0.0) <= between)
+    return result
+
+
+def _from_chords(curves: Curves) -> Floats:
+    """How far the handles of curves (F, N, 4, 2) are from their chords at most, (F, N)."""
     # Coordinate by coordinate: sums over pairs of numbers take three times as long.
     x, y = (np.ascontiguousarray(np.moveaxis(curves[..., k], 2, 0)) for k in (0, 1))
     along, across = x[3] - x[0], y[3] - y[0]
@@ -152,5 +167,4 @@ def straight_curves(curves: Curves, between: float, ends: float) -> Mask:
         u -= share * along
         v -= share * across
         away = np.maximum(away, np.sqrt(u * u + v * v))
-    at_ends = away[[0, -1]].max(axis=0, initial=0.0) <= ends
-    return np.asarray(at_ends & (away.max(axis=0, initial=0.0) <= between))
+    return away

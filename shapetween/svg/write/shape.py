@@ -188,6 +188,7 @@ class _Plan:
                 kept = own[kept]
                 stack = self.curves(finer)
         form, points, _ = self.laid_out(stack)
+        del stack  # of long outlines a hundred megabytes
         first = on_grid(points[:1], decimals)
         rest = form.texts(first, decimals)[0]
         if np.ptp(points, axis=0).max(initial=0.0) <= STILL * self.step:

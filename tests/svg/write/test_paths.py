@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from shapetween.base.arrays import Curves
 from shapetween.base.errors import OptionError
+from shapetween.svg.write import paths
 from shapetween.svg.write.paths import PathForm, on_grid, straight_curves
 from tests.smil import commands_of, curves_of, numbers_of
 
@@ -82,3 +83,18 @@ def test_a_line_is_one_at_all_times_or_none() -> None:
 def test_too_many_digits_are_refused() -> None:
     with pytest.raises(OptionError, match="expected a lower precision"):
         on_grid(np.array([[[1e9, 0.0]]]), 12)
+
+
+def test_straight_curves_look_at_few_at_once(monkeypatch):
+    """However many are looked at together, the same are lines."""
+    rng = np.random.default_rng(5)
+    lines = np.linspace(0, 1, 4)[:, None] * rng.normal(size=(7, 40, 1, 2))
+    lines[:, ::3, 1] += 0.2
+    whole = straight_curves(lines, 0.1, 0.1)
+    assert 0 < whole.sum() < 40
+    shapes = []
+    inner = paths._from_chords
+    monkeypatch.setattr(paths, "_from_chords", lambda c: shapes.append(c.shape) or inner(c))
+    monkeypatch.setattr(paths, "AT_ONCE", 35)
+    assert (straight_curves(lines, 0.1, 0.1) == whole).all()
+    assert max(n * f for f, n, *_ in shapes) <= 35
