@@ -251,9 +251,7 @@ class LeavingTrack(Leaf):
         place = self.leaving.place
         if place is not None:
             size = self.leaving.size(gone)[:, None, None, None]
-            rings = [size * (ring - place) for ring in rings]
-            for ring in rings:
-                ring += place
+            rings = [place + size * (ring - place) for ring in rings]
         rings = [np.broadcast_to(ring, (len(t), *ring.shape[1:])) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)
