@@ -11,6 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.ties import TIES
+
 ROOT = Path(__file__).resolve().parents[1]
 
 #: Pairs of all kinds: silhouettes, limbs, letters, holes, several parts, lines and gradients.
@@ -32,8 +34,13 @@ PAIRS = (
 DIGESTS = """
 import hashlib, sys
 import shapetween as st
+from tests.ties import svg
 for name in sys.argv[1:]:
-    first, second = (f"gallery/inputs/{half}.svg" for half in name.split(":"))
+    halves = name.split(":")
+    if halves[0] == "made":
+        first, second = map(svg, halves[1:])
+    else:
+        first, second = (f"gallery/inputs/{half}.svg" for half in halves)
     text = st.morph(first, second).svg()
     print(name, hashlib.sha256(text.encode()).hexdigest())
 """
@@ -47,7 +54,7 @@ def digests(changes: Mapping[str, str]) -> list[str]:
         if name not in ("OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES")
     }
     environment |= {"PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "ignore", **changes}
-    names = [":".join(pair) for pair in PAIRS]
+    names = [":".join(pair) for pair in PAIRS + tuple(("made", *pair) for pair in TIES)]
     run = subprocess.run(
         [sys.executable, "-c", DIGESTS, *names],
         cwd=ROOT,

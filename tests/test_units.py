@@ -11,6 +11,7 @@ from shapetween.base.arrays import Curves
 from shapetween.model.drawing import Box, Drawing
 from shapetween.pipeline import prepare
 from shapetween.svg.read.reader import read_svg
+from tests.ties import TIES, svg
 
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = ROOT.parent / "shared/corpus"
@@ -62,6 +63,12 @@ def assert_alike(first: Drawing, second: Drawing) -> None:
 def test_a_pair_moves_alike_in_any_unit(names: str) -> None:
     first, second = (read(ROOT / f"gallery/inputs/{name}.svg") for name in names.split(":"))
     assert_alike(first, second)
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("names", TIES, ids=":".join)
+def test_what_has_equal_parts_moves_alike_in_any_unit(names: tuple[str, str]) -> None:
+    assert_alike(*(read_svg(svg(name), name) for name in names))
 
 
 def corpus_pairs() -> list[tuple[str, str]]:

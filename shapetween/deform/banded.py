@@ -36,7 +36,6 @@ def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
         The vertex of each number.
     """
     from scipy.sparse import coo_array  # slow to import, and many drawings need no mesh
-    from scipy.sparse.csgraph import reverse_cuthill_mckee
 
     free = np.flatnonzero(~fixed)
     number = np.append(np.where(fixed, -1, np.cumsum(~fixed) - 1), -1)
@@ -44,9 +43,36 @@ def numbered(elements: Index, fixed: Mask) -> tuple[Index, Index]:
     i, j = (x.ravel() for x in np.broadcast_arrays(unknowns[:, :, None], unknowns[:, None, :]))
     both = (i >= 0) & (j >= 0)
     graph = coo_array((np.ones(both.sum()), (i[both], j[both])), shape=(len(free), len(free)))
-    order = reverse_cuthill_mckee(graph.tocsr(), symmetric_mode=True)
+    order = _from_side_to_side(graph.tocsr())
     rank = np.append(np.argsort(order), -1)
     return rank[unknowns], free[order]
+
+
+def _from_side_to_side(graph: "csr_array[np.float64]") -> Index:
+    """The vertices of a symmetric graph in reverse Cuthill-McKee order.
+
+    scipy's own sorts the degrees by whatever the processor sorts with, which leaves equal ones in
+    another order on another, and so the last digits of everything solved.
+    """
+    graph.sort_indices()
+    degree = np.diff(graph.indptr)
+    lists = np.split(graph.indices, graph.indptr[1:-1])
+    beside = [row[np.argsort(degree[row], kind="stable")].tolist() for row in lists]
+    order: list[int] = []
+    seen = [False] * len(degree)
+    for start in np.argsort(degree, kind="stable").tolist():
+        if seen[start]:
+            continue
+        seen[start] = True
+        reached = len(order)
+        order.append(start)
+        while reached < len(order):
+            for vertex in beside[order[reached]]:
+                if not seen[vertex]:
+                    seen[vertex] = True
+                    order.append(vertex)
+            reached += 1
+    return np.array(order[::-1], dtype=np.intp)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -46,6 +46,12 @@ SMOOTHING_STEPS = 6
 MAX_STEPS = 250
 #: Armijo's constant, and the shortest step tried.
 SUFFICIENT, SHORTEST = 1e-4, 1e-6
+#: What steps are rounded to, as a share of the extent. Finer and a mesh that resists ends elsewhere
+#: on another processor; coarser and it is less even than it can be.
+GRAIN = 2.0**-20
+#: Share of the energy that rounding may add to it. Smaller and at the bottom of a valley it decides
+#: whether a step is taken or halved; larger and steps that go up count as down.
+ROUNDING = 1e-12
 #: Least eigenvalue of a triangle's Hessian over its largest. Zero makes the matrix singular.
 EIGENVALUE_FLOOR = 1e-8
 
@@ -70,6 +76,7 @@ class Untangler:
     shape_gradients: Complex
     areas: Floats
     _weights: Floats
+    _grain: float
     _single: BandPattern
     _double: BandPattern
 
@@ -83,7 +90,8 @@ class Untangler:
         pairs = 2 * elements[:, :, None] + np.arange(2)
         pairs = np.where(elements[:, :, None] >= 0, pairs, -1).reshape(-1, 6)
         single, double = BandPattern.of(elements, len(free)), BandPattern.of(pairs, 2 * len(free))
-        return cls(triangles, free, shape_gradients, areas, root / root.sum(), single, double)
+        weights, grain = root / root.sum(), GRAIN * float(np.ptp(rest, axis=0).max())
+        return cls(triangles, free, shape_gradients, areas, weights, grain, single, double)
 
     def harmonic(self, points: Points) -> Points:
         """Place the free vertices harmonically on the rest shape; affine maps come out exactly.
@@ -176,13 +184,14 @@ class Untangler:
         except LinAlgError:
             return None
         descent = float(step @ slope)
+        # What rounding did to the step would grow from each to the next where a mesh resists.
         move = np.zeros_like(state.points)
-        move[self.free] = step.view(np.complex128)
+        move[self.free] = self._grain * np.round(step / self._grain).view(np.complex128)
         length = 1.0
         while length > SHORTEST:
             trial = self._state(state.points + length * move)
             energy = self._energy(trial, eps)
-            if energy <= before + SUFFICIENT * length * descent:
+            if energy <= before * (1 + ROUNDING) + SUFFICIENT * length * descent:
                 return trial, energy
             length /= 2
         return None

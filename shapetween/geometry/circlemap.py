@@ -7,7 +7,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, frozen
 from shapetween.base.errors import ShapeError
 
-__all__ = ["CircleMap", "turn", "wrapped"]
+__all__ = ["SAME", "CircleMap", "turn", "wrapped"]
 
 #: Knots nearer than this are one: more is lost to rounding in the places themselves.
 SAME = 1e-12

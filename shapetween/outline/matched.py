@@ -23,6 +23,10 @@ SNAP_EXACT = 1e-6
 #: Share of the sample spacing that the even samples keep from a joint.
 CLEARANCE = 0.25
 
+#: Share of the sample spacing within which a joint is on a sample, or as far from one as may be: on
+#: regular outlines both are common, and rounding must not decide. Larger moves what is seen.
+TIE = 1e-6
+
 #: Share of the length that a piece of one outline has at least, where only the other outline's
 #: joints cut it: shorter ones are less than the last printed digit, and look like knots.
 LEAST_PIECE = 1e-4
@@ -160,14 +164,14 @@ class MatchedOutlines:
         joints = self._joints[0]
         if len(joints) > count:
             # Of every short interval its sharpest joint, so that none of it goes unseen.
-            interval = (joints * count).astype(np.intp)
+            interval = np.floor(joints * count + TIE).astype(np.intp)
             order = np.lexsort((-self._sharpness, interval))
             joints = joints[np.sort(order[np.unique(interval[order], return_index=True)[1]])]
         even = np.arange(count) / count
         around = np.concatenate([joints[-1:] - 1, joints, joints[:1] + 1])
         after = np.searchsorted(around, even)
         gap = np.minimum(even - around[after - 1], around[after] - even)
-        even = even[gap > CLEARANCE / count]
+        even = even[gap * count > CLEARANCE + TIE]
         w = np.concatenate([joints, even])
         order = np.argsort(w, kind="stable")
         is_joint = np.arange(len(w)) < len(joints)

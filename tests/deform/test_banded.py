@@ -36,6 +36,13 @@ def test_a_band_holds_the_sum_of_the_blocks(chain: tuple[np.ndarray, np.ndarray]
     np.testing.assert_allclose(pattern.vector(ones), np.bincount(unknowns.ravel()))
 
 
+def test_of_vertices_with_as_many_beside_them_the_first_comes_first() -> None:
+    rows = np.arange(180).reshape(60, 3)
+    chains = np.concatenate([rows[:, :2], rows[:, 1:]])
+    _, free = numbered(chains, np.zeros(180, dtype=bool))
+    assert free[::-1].tolist() == list(range(180))
+
+
 def test_a_system_with_known_points_is_solved(chain: tuple[np.ndarray, np.ndarray]) -> None:
     elements, start = chain
     elements = np.concatenate([elements, [[3, 5, -1]]])

@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -41,6 +42,19 @@ def test_an_impossible_border_ends_with_the_count() -> None:
     turned_over = np.where(border[:, None], points * [-1.0, 1.0], points)
     placed, turned = Untangler.of(points, triangles, border).untangle(turned_over)
     assert turned == (polygon_area(placed[triangles]) <= 0).sum() > 0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rounding_does_not_grow_where_a_mesh_resists(seed: int) -> None:
+    points, triangles, border = _square(10)
+    rest = 10 * (points / 10) ** 5  # with triangles far smaller than others
+    random = np.random.default_rng(seed)
+    crumpled = np.where(border[:, None], rest + random.normal(0, 0.7, rest.shape), rest)
+    untangler = Untangler.of(rest, triangles, border)
+    start = untangler.harmonic(crumpled)
+    noise = 1e-13 * random.normal(size=points.shape)
+    ends = [untangler.untangle(one, patient=True)[0] for one in (start, start + noise)]
+    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-10)
 
 
 def test_newton_matrices_are_derivatives() -> None:

@@ -9,7 +9,7 @@ from shapetween.base.arrays import Curves, Floats
 from shapetween.geometry.bezier import curve_lengths, evaluate
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
-from shapetween.outline.matched import MatchedOutlines
+from shapetween.outline.matched import CLEARANCE, MatchedOutlines
 from tests.match.shapes import polygon, rewritten, rounded, star
 
 T = np.linspace(0, 1, 7)
@@ -138,6 +138,18 @@ def test_samples_hold_every_joint_once_and_keep_apart(seed: int, count: int) -> 
         for joint in outline.curves[:, 0]:
             near = np.linalg.norm(points[samples.joints] - joint, axis=1).min()
             assert near < 0.02 * np.ptp(outline.box, axis=0).max()
+
+
+def test_rounding_does_not_choose_the_samples() -> None:
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    found = []
+    for noise in (-1e-12, 1e-12):
+        at = 0.625 + (CLEARANCE + noise) / 8  # a joint just as far from a sample as may be
+        square = ArcLength(polygon(np.insert(corners, 3, [3 - 4 * at, 1], axis=0)))
+        u = np.linspace(0.0, 1.0, 9)
+        found.append(MatchedOutlines(square, square, u, u).samples(8))
+    assert (found[0].joints == found[1].joints).all()
+    np.testing.assert_allclose(found[0].w, found[1].w, atol=1e-9)
 
 
 @settings(max_examples=20)

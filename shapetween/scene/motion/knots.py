@@ -8,6 +8,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.bezier import end_tangents
+from shapetween.geometry.circlemap import SAME, turn
 from shapetween.geometry.polygon import cross
 from shapetween.scene.motion.bend_knots import along_knots
 from shapetween.scene.places import Places, run_of
@@ -83,6 +84,7 @@ def graph_knots(source: Places, target: Places, same: float) -> tuple[Floats, Fl
 def _graph(places: Places) -> tuple[Floats, Floats] | None:
     """Shares and their x of the part of an open line that is a graph, upright ends apart."""
     at = np.union1d(np.linspace(0.0, 1.0, STEPS + 1), places.joints)
+    at = at[np.append(True, np.diff(at) > SAME)]  # a joint on a step is one place with it
     x = places.point(at)[:, 0]
     extent = float(np.ptp(x))
     if extent == 0:
@@ -147,8 +149,9 @@ def anchored_knots(source: Places, target: Places, same: float) -> tuple[Floats,
         return None
     pairs.sort()
     u = np.array([p for p, _ in pairs])
-    v = np.unwrap(np.array([q for _, q in pairs]), period=1.0)
-    if (np.diff(u) <= 0).any() or (np.diff(v) <= 0).any() or v[-1] - v[0] >= 1:
+    v = np.array([q for _, q in pairs])
+    v = v[0] + turn(v - v[0])  # unwrapping would leave it to rounding which way half a turn goes
+    if (np.diff(u) <= 0).any() or (np.diff(v) <= 0).any():
         return None
     u, v = np.append(u, u[0] + 1), np.append(v, v[0] + 1)
     knots: list[tuple[float, float]] = []

@@ -7,6 +7,7 @@
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import derivatives, evaluate, line_curves
 from shapetween.geometry.polygon import cross
 
@@ -208,7 +209,7 @@ def _smooth(
     middle = int(np.searchsorted(along, along[-1] / 2))
     middle = min(max(middle, FEWEST - 1), len(points) - FEWEST)
     if errors.max() > tolerance:
-        worst = int(np.argmax(errors))
+        worst = int(comparable(errors).argmax())
         middle = min(max(worst, FEWEST - 1), len(points) - FEWEST)
     through = _smooth_direction(points, reach, middle, closed=False)
     return np.concatenate(
