@@ -41,6 +41,8 @@ class Correspondence:
         The affine map from source to target, where the target is an affine image of the source.
     others : tuple of Correspondence
         Other matchings worth a try, best first.
+    doubt : float
+        What `confidence` is the word for: 0 for an exact affine map, 2 for a guess.
     """
 
     u: Floats
@@ -51,6 +53,7 @@ class Correspondence:
     turn: float = 0.0
     affine: Affine | None = None
     others: tuple[Correspondence, ...] = field(default=())
+    doubt: float = 0.0
 
     def __post_init__(self) -> None:
         """Copy, check and lock the knots."""
@@ -81,4 +84,5 @@ class Correspondence:
             turn=-self.turn,
             affine=affine,
             others=tuple(other.inverse() for other in self.others),
+            doubt=self.doubt,
         )

@@ -180,6 +180,7 @@ class _Comparison:
             made[0],
             runner_up=costs[1] if len(costs) > 1 else np.inf,
             confidence=confidence_of(value),
+            doubt=value,
             others=tuple(made[1:]),
         )
         return made

@@ -14,6 +14,7 @@ from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
 from shapetween.scene.disturbance import holes_apart, intricacy, waviness
+from shapetween.scene.doubtful import CONVEX, filling, nothing_corresponds, share_of_hull
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, drawn_box, in_common, picture, pictures
@@ -59,10 +60,6 @@ PIERCED = 0.47
 #: Share of what the outer outline encloses that holes take up from which on they count. Smaller,
 #: and the eyelet of a pen makes a silhouette an area with holes; larger, and letters have none.
 OPEN = 0.04
-
-#: Share of its hull from which on what an outline encloses counts as convex. At 1 rounding makes a
-#: disc concave; smaller, and letters are taken for discs.
-CONVEX = 0.95
 
 #: What counts, beside the share of both drawings that has no partner, of how unlike the largest
 #: pair's pictures are, and of how much more of its hull one of that pair fills.
@@ -135,9 +132,14 @@ def too_different(
         How each pair would move; without, it is asked whether they differ too much however it does.
     """
     counts = [int((~own).sum()) for own in behind]
-    paired = any(not behind[0][role.first] for role in roles.pairs)
+    firsts, seconds = _ends(roles, behind)
+    paired = len(firsts) > 0
     if min(counts) == 0 or (paired and max(counts) == 1):
         return False
+    if paired and min(counts) == 1:
+        i, j, _ = _main_pair(a, b, firsts, seconds)
+        if nothing_corresponds(a.items[i], b.items[j]):
+            return True
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)
     if tracks is not None:
@@ -153,8 +155,10 @@ def pierced_apart(one: Item, other: Item) -> bool:
     """
     if not (one.filled and other.filled) or max(_open(one), _open(other)) < OPEN:
         return False
-    if min(_filling(one), _filling(other)) > CONVEX:
+    if min(filling(one), filling(other)) > CONVEX:
         return False
+    if nothing_corresponds(one, other):
+        return True
     found = pictures([item.replaced(item.rings[:1]) for item in (one, other)])
     return 1 - float(in_common(found[:1], found[1:])[0, 0]) > PIERCED
 
@@ -170,9 +174,7 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     behind : (mask, mask)
         What `behind_both` finds.
     """
-    pairs = [role for role in roles.pairs if not behind[0][role.first]]
-    firsts = np.array([role.first for role in pairs], dtype=np.intp)
-    seconds = np.array([role.second for role in pairs], dtype=np.intp)
+    firsts, seconds = _ends(roles, behind)
     sizes = [np.where(own, 0.0, scene.sizes) for scene, own in zip((a, b), behind, strict=True)]
     # Light and shade that cover a thing as a whole count with it, or not at all: a body of many
     # such layers has most of a drawing's weight, whatever there is on it.
@@ -180,21 +182,34 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     alone = max(_alone(sizes, (firsts, seconds)), _alone(once, (firsts, seconds)))
     if not len(firsts):
         return float(alone + UNLIKE)
-    weights = np.minimum(sizes[0][firsts] / a.scale, sizes[1][seconds] / b.scale)
-    k = int(np.round(weights, 9).argmax())
-    i, j = firsts[k], seconds[k]
+    i, j, weight = _main_pair(a, b, firsts, seconds)
     one, other = a.items[i], b.items[j]
     areas = one.filled and other.filled
     bodies = [item.drawn if areas else _body(item) for item in (one, other)]
     seen = [picture(body, np.reshape(body.bounds, (2, 2)))[None] for body in bodies]
     alike = float(in_common(seen[0], seen[1])[0, 0])
-    kept = alike * float(weights[k])
+    kept = alike * weight
     if closes(one, other, (a.scale + b.scale) / 2):
         # A ring that comes down onto an open line has little of its place and of its hull.
         return alone - kept
     lines = not (one.filled or one.closed or other.filled or other.closed)
-    hollow = 0.0 if lines else abs(_share_of_hull(bodies[0]) - _share_of_hull(bodies[1]))
+    hollow = 0.0 if lines else abs(share_of_hull(bodies[0]) - share_of_hull(bodies[1]))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow - kept)
+
+
+def _ends(roles: Roles, behind: Behind) -> tuple[Index, Index]:
+    """Items of both drawings that become each other, but for what is behind all else."""
+    pairs = [role for role in roles.pairs if not behind[0][role.first]]
+    firsts = np.array([role.first for role in pairs], dtype=np.intp)
+    seconds = np.array([role.second for role in pairs], dtype=np.intp)
+    return firsts, seconds
+
+
+def _main_pair(a: Scene, b: Scene, firsts: Index, seconds: Index) -> tuple[int, int, float]:
+    """The largest of some pairs, and its size as a share of the drawing."""
+    weights = np.minimum(a.sizes[firsts] / a.scale, b.sizes[seconds] / b.scale)
+    k = int(np.round(weights, 9).argmax())
+    return int(firsts[k]), int(seconds[k]), float(weights[k])
 
 
 def _body(item: Item) -> "shapely.Geometry":
@@ -345,16 +360,3 @@ def _open(item: Item) -> float:
     """Share of what an item encloses that is hole."""
     enclosed = item.enclosed.area
     return float(1 - item.area / enclosed) if enclosed > 0 else 0.0
-
-
-def _filling(item: Item) -> float:
-    """Share of its hull that what an item encloses fills."""
-    return _share_of_hull(item.enclosed)
-
-
-def _share_of_hull(area: "shapely.Geometry") -> float:
-    """Share of its hull that an area fills."""
-    import shapely
-
-    hull = shapely.convex_hull(area).area
-    return float(area.area / hull) if hull > 0 else 1.0

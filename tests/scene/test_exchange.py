@@ -393,3 +393,32 @@ def test_two_bars_become_a_tick(tmp_path: Path) -> None:
     """A bar fills all of its hull, and a tick hardly any: that says nothing."""
     bars = LINE.format("M10 10L90 90") + LINE.format("M90 10L10 90")
     assert not is_exchanged(made(tmp_path, bars, LINE.format("M10 55L38 85L90 15")))
+
+
+HOUSE = '<path d="M50 8L96 50H82V92H60V64H40V92H18V50H4z"/>'
+SHOP = (
+    '<path d="M10 8h80v10h-80z"/>'
+    '<path d="M14 24h72l8 30h-6v38h-10v-34h-14v34h-50v-38h-8zM24 60v22h26v-22z"/>'
+)
+TALLER = '<path d="M50 2L96 44H84V92H60V64H40V92H16V44H4z"/><path d="M70 8h10v12h-10z"/>'
+
+
+def test_an_area_is_exchanged_that_nobody_could_say_how_it_becomes_another(tmp_path: Path) -> None:
+    assert is_exchanged(made(tmp_path, HOUSE, SHOP))
+    assert not is_exchanged(made(tmp_path, HOUSE, TALLER))
+
+
+def test_what_has_holes_is_exchanged_for_an_area_it_has_no_likeness_with(tmp_path: Path) -> None:
+    glass = (
+        '<path fill-rule="evenodd" d="M10 4h80v12h-8q0 22 -24 34q24 12 24 34h8v12h-80v-12h8q0 -22 '
+        "24 -34q-24 -12 -24 -34h-8zM30 16h40q0 16 -20 24q-20 -8 -20 -24zM50 60q20 8 20 24h-40q0 "
+        '-16 20 -24z"/>'
+    )
+    skull = (
+        '<path fill-rule="evenodd" d="M50 6c28 0 46 16 46 40c0 16 -10 24 -20 30v20h-12v-12h-8v12'
+        "h-12v-12h-8v12h-12v-20c-10 -6 -20 -14 -20 -30c0 -24 18 -40 46 -40zM26 40v18h14v-18z"
+        'M60 40v18h14v-18z"/>'
+    )
+    assert is_exchanged(made(tmp_path, glass, skull))
+    other = skull.replace("M26 40v18h14v-18z", "M24 36v22h18v-22z")
+    assert not is_exchanged(made(tmp_path, skull, other))

@@ -11,13 +11,13 @@ from shapetween.deform.check import LOOKED, crossing_frames
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.settings import FillSettings
 from shapetween.geometry.polygon import cross
-from shapetween.match import Matcher
 from shapetween.match.candidate import agrees
 from shapetween.match.frames import MIN_TURN
 from shapetween.match.matcher import registered
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.outline.matching import upright_of
+from shapetween.scene.doubtful import own_matching
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
@@ -259,9 +259,8 @@ def _as_matched(
     anywhere : bool
         Whether it matters no more where it goes.
     """
-    try:
-        found = Matcher(first.outer.clockwise(), second.outer.clockwise()).match()
-    except OutlineError:
+    found = own_matching(first.outer.clockwise(), second.outer.clockwise())
+    if found is None:
         return True
     if upright:
         found = upright_of(found)
