@@ -21,11 +21,23 @@ PAIRS = ("hammer:wrench", "hand-closed:hand-open", "letter-o:letter-c", "key:loc
 
 #: Kinds of the corpus, and every how manieth pair of each is taken; those that once differed among
 #: them.
-EVERY = {"icons": 4, "strokes": 1, "holes": 4, "silhouette": 9, "multipart": 11}
+EVERY = {
+    "icons": 4,
+    "strokes": 1,
+    "holes": 4,
+    "silhouette": 9,
+    "multipart": 11,
+    "emoji": 12,
+    "articulated": 9,
+    "styled": 6,
+    "labelled": 11,
+    "structure": 5,
+    "large": 3,
+}
 
 #: Those that once differed beyond these: crossing curves that all but touch, a straight side's
-#: corners, and knots that are one.
-DIFFERED = ("dev-styled-09", "dev-hostile-15", "emoji-14")
+#: corners, knots that are one, and a run that goes all round.
+DIFFERED = ("dev-styled-09", "dev-hostile-15", "emoji-14", "emoji-06")
 
 TIMES = np.array([0.0, 0.3, 0.5, 1.0])
 

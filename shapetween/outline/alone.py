@@ -12,7 +12,6 @@ from shapetween.geometry.polygon import polygon_area
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.even import evened
 from shapetween.outline.matching import next_matches
-from shapetween.outline.parting import parted
 from shapetween.outline.seen import NOT_SEEN, seen_crossings
 from shapetween.outline.straight import straightened
 from shapetween.outline.unfold import DETAIL_TIMES, MOST_NODES, TOLERANCES, unfolded
@@ -59,6 +58,8 @@ def moved_alone(
     best = looked_at(straightened(evened(body)))
     if rough or outer.coarse or best.seen.nothing:
         return best
+    from shapetween.outline.parting import parted
+
     # Strands that touch say nothing against a matching.
     without = parted(best)
     if without is not None:

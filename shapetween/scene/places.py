@@ -212,7 +212,9 @@ def run_of(places: Places, start: float, end: float) -> Outline:
         first = int(np.abs(own.joints - start).argmin())
         last = int(np.abs(own.joints - end).argmin())
         return Outline(curves[first : max(last, first + 1)], False)
-    knots = np.array([start, end, start + 1.0])
+    # What goes all round but for rounding goes all round, or a point would be left over.
+    end = end if start + 1.0 - end > SAME else start + 1.0
+    knots = np.unique(np.array([start, end, start + 1.0]))
     curves = cut_alike(places, places, knots, knots).source
     own = Places(Outline(curves, False))
     last = int(np.abs(own.joints - (end - start)).argmin())

@@ -93,3 +93,10 @@ def test_a_run_past_the_start_of_a_ring_keeps_all_its_corners() -> None:
             again = run_of(house, start + 1, start + 1 + length)
             np.testing.assert_allclose(again.curves, once.curves, atol=1e-9)
             assert Places(once).length == pytest.approx(length * house.length, rel=1e-6)
+
+
+@pytest.mark.parametrize("noise", [-1e-12, 0.0, 1e-12])
+def test_what_goes_all_round_but_for_rounding_goes_all_round(noise: float) -> None:
+    run = run_of(Places(square(0, 0, 10)), 0.3, 1.3 + noise)
+    assert len(run.curves) == 5
+    assert (np.ptp(run.curves, axis=1).max(axis=1) > 1).all()

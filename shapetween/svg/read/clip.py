@@ -24,8 +24,6 @@ from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Group, Mask
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, FillRule, Style
-from shapetween.svg.read.area import stroked_area
-from shapetween.svg.read.cssshape import css_shape
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import rings_of
 from shapetween.svg.read.frames import Frame, Layer, Placed
@@ -147,6 +145,8 @@ class Clipper:
 
     def _stroked(self, shape: Shape, chords: Chords, region: Region) -> list[Shape | None]:
         """What is left of a shape's stroke: all of it, under a clip where that cuts it."""
+        from shapetween.svg.read.area import stroked_area
+
         stroke = shape.style.stroke
         if stroke is None:
             return []
@@ -233,6 +233,8 @@ class Clipper:
 
     def _given(self, text: str, layer: Layer) -> Region | None:
         """A clip that is a shape written in style."""
+        from shapetween.svg.read.cssshape import css_shape
+
         found = css_shape(self._document, text, layer)
         if found is None:
             self._document.losses.add("a clip path given as a CSS shape was left out", text[:40])

@@ -13,7 +13,6 @@ import tinycss2.color4
 
 from shapetween.model.paint import Colour
 from shapetween.model.srgb import linear_to_srgb, srgb_to_linear
-from shapetween.svg.read.colourfunctions import calculated_arguments, mixed, relative
 from shapetween.svg.read.colourspaces import TO_LINEAR_SRGB
 
 __all__ = ["CURRENT", "PaintValue", "parse_paint", "plain_colour"]
@@ -89,6 +88,8 @@ def _colour(token: Any) -> Colour | str | None:
         return None
     try:
         if token.type == "function":
+            from shapetween.svg.read.colourfunctions import calculated_arguments
+
             made = _made(token)
             if made is not None:
                 return made
@@ -110,6 +111,8 @@ def _colour(token: Any) -> Colour | str | None:
 
 def _made(token: Any) -> Colour | None:
     """A function that makes a colour from colours; None if it is another, or malformed."""
+    from shapetween.svg.read.colourfunctions import mixed, relative
+
     if token.lower_name == "color-mix":
         return mixed(token.arguments, _plain)
     first = next((t for t in token.arguments if t.type not in ("whitespace", "comment")), None)

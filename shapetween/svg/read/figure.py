@@ -17,9 +17,7 @@ from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
 from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
-from shapetween.svg.read.stroked import stroke_rings
 from shapetween.svg.read.subpaths import in_range, subpaths_of
-from shapetween.svg.read.text import letters_of
 from shapetween.svg.read.units import number
 
 __all__ = ["rings_of", "shapes_of"]
@@ -67,6 +65,8 @@ def shapes_of(document: Document, placed: Placed) -> list[Shape]:
 
 def _letters(document: Document, placed: Placed) -> list[Shape]:
     """Each letter of a text as a shape; what paints them is laid over the whole text."""
+    from shapetween.svg.read.text import letters_of
+
     letters = letters_of(document, placed)
     whole = [subpath for letter in letters for subpath in letter.subpaths]
     shapes = []
@@ -139,6 +139,8 @@ def _outlined(
     document: Document, placed: Placed, rings: Sequence[Outline], style: Style
 ) -> list[tuple[tuple[Outline, ...], Style]]:
     """A stroke under an uneven transform as the area that it paints."""
+    from shapetween.svg.read.stroked import stroke_rings
+
     matrix, stroke = placed.frame.matrix, style.stroke
     assert stroke is not None  # it is strokes that are outlined
     if stretch(matrix) < FLAT:

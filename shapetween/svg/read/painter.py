@@ -18,7 +18,6 @@ from shapetween.model.effects import Group, Mask
 from shapetween.svg.read.clip import Clipper, Region
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import shapes_of
-from shapetween.svg.read.filters import filters_of
 from shapetween.svg.read.frames import Layer, Placed
 from shapetween.svg.read.markers import markers_of
 from shapetween.svg.read.masks import Masker
@@ -111,6 +110,8 @@ class Painter:
             return ()
         key = (id(layer), -1, False, False)
         if key not in self._groups:
+            from shapetween.svg.read.filters import filters_of
+
             made = tuple(Group(object(), filter=each) for each in filters_of(self._document, layer))
             self._groups[key] = layer, made
         return self._groups[key][1]
