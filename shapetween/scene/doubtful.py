@@ -25,7 +25,7 @@ CONVEX = 0.95
 #: beyond `UNLIKE` counting with it. Of 60 pairs of solid icons judged by eye as they moved none
 #: beyond was ready, of those below most were. Smaller, and a sun leaves for a moon to come; larger,
 #: and an hourglass melts into a skull.
-DOUBTFUL, COUNTS, UNLIKE = 0.85, 2.0, 0.4
+DOUBTFUL, COUNTS, UNLIKE = 0.8, 2.0, 0.4
 
 #: Likeness of outlines that are one, drawn anew, however they are matched. Larger, and a folder
 #: leaves for an open one to come.
@@ -51,9 +51,9 @@ def own_matching(source: Outline, target: Outline) -> Correspondence | None:
 def nothing_corresponds(one: Item, other: Item) -> bool:
     """Whether two areas are too unlike, and their matching too doubtful, to become each other.
 
-    Convex ones move well, however they lie, and a disc becomes a crescent.
+    A disc becomes a crescent.
     """
-    if not (one.filled and other.filled) or min(filling(one), filling(other)) > CONVEX:
+    if not (one.filled and other.filled):
         return False
     if _grows_from_disc(one, other) or _grows_from_disc(other, one):
         return False

@@ -157,3 +157,12 @@ def test_a_hole_that_is_symmetric_at_both_ends_stays_so() -> None:
         area = shapely.Polygon(points)
         image = affinity.scale(area, -1, 1, origin=(50, 0))
         assert area.symmetric_difference(image).area < 1e-3 * area.area
+
+
+def test_a_page_does_not_melt_into_hands_but_an_even_opening_becomes_another() -> None:
+    page = ring([(20, 30), (80, 30), (80, 80), (20, 80)])
+    hands = ring([(48, 20), (53, 20), (53, 50), (70, 60), (67, 64), (48, 54)])
+    assert len(becomes(plate(page), plate(hands))) == 2
+    chevron = ring([(20, 20), (50, 40), (80, 20), (80, 30), (50, 50), (20, 30)])
+    kite = ring([(50, 12), (80, 40), (50, 70), (20, 40)])
+    assert len(becomes(plate(chevron), plate(kite))) == 1

@@ -28,6 +28,7 @@ from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
 from shapetween.scene.motion.tracks import Blend
+from shapetween.scene.motion.turned import turned_ring
 from shapetween.scene.motion.turning import MOST_TURNS, total_turning, turning_excess
 from shapetween.scene.places import Pieces, Places, cut_alike
 from shapetween.scene.torn import folds
@@ -161,6 +162,9 @@ def _closed(
     if isinstance(one, RoundedBox) and isinstance(other, RoundedBox):
         outer = box_blend(one, other, *places)
         return (outer, *hole_tracks(first, second, outer)), ()
+    turned = turned_ring(*places)
+    if turned is not None:
+        return (turned, *hole_tracks(first, second, turned)), ()
     anchored = anchored_knots(*places, SAME * ends.scale)
     if anchored is not None:
         found = _blend(cut_alike(*places, *anchored), first, second, 0.0)

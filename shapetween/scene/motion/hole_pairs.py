@@ -15,7 +15,9 @@ from shapetween.fill.splitting import split_alike
 from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
+from shapetween.scene.motion.mirrored import even_knots
 from shapetween.scene.motion.turning import total_turning
+from shapetween.scene.places import Places
 from shapetween.scene.relations import in_common, pictures
 from shapetween.scene.strokes.segmentation import OutlinedStroke, outlined_strokes
 
@@ -36,6 +38,11 @@ ALIKE, TURNED_ALIKE = 0.5, 0.35
 #: becomes any other one, a triangle an oval or a crescent. A disc has 1, a plus 3; larger, and a
 #: plus is let melt into a window.
 PLAIN = 1.9
+
+#: Least share that two plain openings have in common, unless both are their own mirror images.
+#: Smaller, and a calendar's page is seen to melt into a clock's hands; larger, and the counters of
+#: letters close and open again.
+PLAIN_ALIKE = 0.32
 
 #: Most by which the turning of two holes of one form differs: a square is no plus.
 TURNS = 0.5
@@ -155,7 +162,11 @@ def _of_one_form(first: Sequence[Item], second: Sequence[Item]) -> Mask:
     tests: tuple[Callable[[Item], bool], ...] = (_is_box, _is_plain, _is_stroke)
     for test in tests:
         own = [np.array([test(hole) for hole in side]) for side in (first, second)]
-        alike |= own[0][:, None] & own[1]
+        together = own[0][:, None] & own[1]
+        if test is _is_plain:
+            for i, j in np.argwhere(together & (common < PLAIN_ALIKE)).tolist():
+                together[i, j] = _are_even(first[i], second[j])
+        alike |= together
     return np.asarray(alike)
 
 
@@ -165,6 +176,11 @@ def _is_box(hole: Item) -> bool:
 
 def _is_plain(hole: Item) -> bool:
     return _turning(hole) < PLAIN
+
+
+def _are_even(one: Item, other: Item) -> bool:
+    """Whether two holes are their own mirror images, and so move evenly whatever they are."""
+    return even_knots(Places(one.outer.clockwise()), Places(other.outer.clockwise())) is not None
 
 
 def _is_stroke(hole: Item) -> bool:
