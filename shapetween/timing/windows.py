@@ -69,19 +69,37 @@ OVERLOOKED = 16
 #: Samples between corners at least. Fewer, and one corner is taken for two.
 ASUNDER = 2
 
+#: Steps around a corner that are looked at closer: with fewer, another beside it that from afar is
+#: one with it is seen at the rim alone, where it is not.
+AROUND = 3
+
 #: How many times smaller the steps are by which corners are looked at closer, and the share of what
-#: it was from afar by which a corner is one still: between that step and its square.
-NEARER, BEND = 8, 1 / 24
+#: it was from afar by which a corner is one still: a little less than the square of that step, by
+#: which what sets off as a third power is one too. Larger, and that is overlooked, and takes
+#: keyframes; smaller, and all bends are corners.
+NEARER, BEND = 8, 1 / 70
 
 #: Share by which leaps may differ and be as good.
 NEAR = 1e-6
+
+#: What a leap must be beside its neighbours. More, and where something sets off it is overlooked if
+#: it goes on a little faster; less, and beside a corner another is seen.
+PEAK = 0.9
+
+#: How many times less a leap must be within so many steps on one side. Less, and all that bends
+#: has corners; more, and what sets off slowly has none.
+LESS, SOON = 3.0, 4
+
+#: Share of what it was by which a corner is no sharper from nearer. Between one and what steps
+#: become less by.
+BLUNT = 0.7
 
 #: Decimals of a window's ends, shares of the whole: what is fast goes a tenth of a pixel meanwhile.
 DECIMALS = 5
 
 #: How a corner between samples is found: places looked at, and how often those next to the sharpest
-#: are looked at closer, until it is known to its decimals.
-CLOSER, ROUNDS = 9, 4
+#: are looked at closer at most, until it is known to its decimals: so near on either side.
+CLOSER, ROUNDS, EXACT = 9, 12, 2e-5
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,17 +244,36 @@ def turning_times(
 
 
 def _corners(times: Floats, leaps: Floats, bends: Floats, enough: float) -> list[float]:
-    """Where leaps are great enough at times but two at either end, some samples from each other."""
+    """Where leaps are great enough at times but two at either end, some samples from each other.
+
+    And about the greatest among their neighbours: beside a corner one is seen that is not there.
+    """
     at, even = times[2:-2], float(np.diff(times).max())
+    around = np.pad(leaps, 1)
+    peaks = leaps >= PEAK * np.maximum(around[:-2], around[2:])
     found: list[float] = []
     # The greatest first; of those alike where it bends most, and then the first.
     keys = (np.round(leaps / enough, 3), np.round(bends / enough, 3))
     for k in np.lexsort((-keys[1], -keys[0])).tolist():
         if leaps[k] < enough or len(found) == MOST_TURNS:
             break
-        if all(abs(at[k] - other) >= (ASUNDER + 0.5) * even for other in found):
+        if peaks[k] and all(abs(at[k] - other) >= (ASUNDER + 0.5) * even for other in found):
             found.append(float(at[k]))
     return found
+
+
+def _standing_out(leaps: Floats, ends: tuple[bool, bool]) -> Floats:
+    """Leaps where on some side they soon are much less, 0 elsewhere: what bends evenly does not.
+
+    `ends` tells whether the movement ends where they do; else what is beyond is not known, and the
+    outermost are none.
+    """
+    around = np.pad(leaps, SOON, constant_values=np.inf)
+    sides = np.lib.stride_tricks.sliding_window_view(around, SOON).min(axis=1)
+    less = np.minimum(sides[: len(leaps)], sides[SOON + 1 :])
+    known = np.ones(len(leaps), bool)
+    known[[0, -1]] = ends
+    return np.where(known & (less * LESS <= leaps), leaps, 0.0)
 
 
 def _closer(
@@ -248,11 +285,11 @@ def _closer(
 ) -> list[float]:
     """When corners are that lie within a width of some times, each maybe two close together.
 
-    Seen from nearer a corner of the speed is as sharp, and one of the acceleration as much less as
-    the steps are smaller; a bend is by the square of that, and none.
+    Seen from nearer a corner of the speed is as sharp, one of the acceleration as much less as the
+    steps are smaller, and where a third power sets off by the square of that; a bend by more.
     """
     step = width / NEARER
-    looked = np.array(times)[:, None] + width * np.linspace(-1.5, 1.5, 3 * NEARER + 1)
+    looked = np.array(times)[:, None] + step * np.arange(-AROUND * NEARER, AROUND * NEARER + 1)
     looked = np.clip(looked, 0.0, 1.0)
     places = look(looked.ravel()).reshape(*looked.shape, -1, 2)
     found: list[float] = []
@@ -262,24 +299,41 @@ def _closer(
             continue
         leaps, bends = (seen * step * width for seen in _leaps(own, there[first]))
         enough = max(BEND * sharp, tolerance / OVERLOOKED / NEARER / 2)
-        near = _corners(own, leaps, bends, enough)
+        ends = bool(own[0] == 0), bool(own[-1] == 1)
+        near = _corners(own, _standing_out(leaps, ends), bends, enough)
         found += [t for t in near if all(abs(t - other) > 2 * step for other in found)]
-    return _exactly(np.array(found), step, look) if found else []
+    return _exactly(np.array(found), 2 * step, look) if found else []
 
 
 def _exactly(times: Floats, width: float, look: Callable[[Floats], Floats]) -> list[float]:
-    """When corners near some times (T,) are, each within a width of its own."""
+    """When corners near some times (T,) are, each within half a width of its own.
+
+    Where it is sharpest at the rim of what is looked at, that is moved along, and else narrowed, as
+    long as it is as sharp from nearer: where a third power sets off it is less and less.
+    """
     around = np.linspace(-1.0, 1.0, CLOSER)
+    widths, sharpest = np.full(len(times), width), np.zeros(len(times))
     for _ in range(ROUNDS):
-        looked = np.clip(times[:, None] + width * around, 0.0, 1.0)
-        places = look(looked.ravel()).reshape(len(times), CLOSER, -1, 2)
-        for k, own in enumerate(looked):
-            if own[0] < own[1] and own[-2] < own[-1]:
-                leaps, _ = _leaps(own, places[k])
-                # As good ones count as one, whose middle it is.
-                best = np.flatnonzero(leaps >= leaps.max() * (1 - NEAR))
-                times[k] = own[2:-2][best].mean()
-        width *= 1.5 / (CLOSER // 2)
+        left = np.flatnonzero(widths > EXACT)
+        if not len(left):
+            break
+        times[left] = np.clip(times[left], widths[left], 1 - widths[left])
+        looked = times[left, None] + widths[left, None] * around
+        places = look(looked.ravel()).reshape(len(left), CLOSER, -1, 2)
+        for k, own, there in zip(left.tolist(), looked, places, strict=True):
+            leaps, _ = _leaps(own, there)
+            if leaps.max() < BLUNT * sharpest[k]:
+                widths[k] = 0.0
+                continue
+            sharpest[k] = leaps.max()
+            # As good ones side by side count as one, whose middle it is.
+            best = np.flatnonzero(leaps >= leaps.max() * (1 - NEAR))
+            best = best[: int(np.append(np.diff(best) > 1, True).argmax()) + 1]
+            now, before = float(own[2:-2][best].mean()), times[k]
+            times[k] = now
+            rim = best[0] == 0 or best[-1] == len(leaps) - 1
+            if not rim or abs(np.clip(now, widths[k], 1 - widths[k]) - before) < widths[k] / CLOSER:
+                widths[k] *= 1.5 / (CLOSER // 2)
     return list(times.tolist())
 
 

@@ -171,6 +171,39 @@ def test_corners_between_samples_are_found_by_looking_closer() -> None:
     assert len(close) <= len(wanted) + 3
 
 
+@pytest.mark.parametrize("gap", [0.0012, 0.0014, 0.0018, 0.0022, 0.003, 0.005, 0.012])
+@pytest.mark.parametrize("first", [0.4, 0.40011, 0.3997])
+def test_corners_near_each_other_are_where_they_are_whatever_the_last_bits(
+    first: float, gap: float
+) -> None:
+    """Beside one of them a corner was seen .0014 off, where only rounding told how far."""
+    random = np.random.default_rng(1)
+
+    def places(t: Floats, noise: float = 0.0) -> Floats:
+        across, down = (300 * np.clip(t - corner, 0, None) for corner in (first, first + gap))
+        exact = np.stack([across, down + 30 * t], axis=-1)[:, None]
+        return np.asarray(exact * (1 + noise * random.uniform(-1, 1, exact.shape)))
+
+    usual = turning_times(places(CLOCK), CLOCK, TOLERANCE, places)
+    for time in usual:
+        assert min(abs(time - first), abs(time - first - gap)) < 2e-5
+    assert len(usual) == 2 or gap < 0.0025
+    for _ in range(4):
+        shaken = turning_times(places(CLOCK), CLOCK, TOLERANCE, lambda t: places(t, noise=2e-16))
+        assert shaken == usual
+
+
+def test_what_sets_off_as_a_third_power_is_a_corner() -> None:
+    def places(t: Floats) -> Floats:
+        late = np.clip(t - 0.91, 0, None)
+        return np.stack([200 * t + 6e5 * late**3, 30 * np.sin(t)], axis=-1)[:, None]
+
+    times = turning_times(places(CLOCK), CLOCK, TOLERANCE, places)
+    assert min(abs(time - 0.91) for time in times) < 0.006
+    # On the way there is none, as fast as it bends.
+    assert not [time for time in times if 0.92 < time < 0.99]
+
+
 def test_what_is_drawn_out_piece_by_piece_is_one_even_window_each() -> None:
     turns = turning_times(in_rows(CLOCK), CLOCK, TOLERANCE, in_rows)
     schedule, _ = SCHEDULE.with_corners(turns)
