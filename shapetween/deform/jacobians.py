@@ -22,10 +22,10 @@ __all__ = ["AREA_EXPONENT", "gradients", "jacobians", "polar_path", "spread_angl
 #: and thins limbs whose stretch turns; 0 keeps lengths and lets areas sag.
 AREA_EXPONENT = 1.0
 
-#: What a step through the outside costs, in radians, when angles spread over the triangles. With no
-#: more than half a turn, the most that a step inside costs, angles leak from limb to limb through
-#: the gap between them; any more is as good.
-OUTSIDE_COST = 10.0
+#: What a step through the outside costs, in radians, when angles spread over the triangles: a whole
+#: turn. With no more than half of one, the most that a step inside costs, angles leak from limb to
+#: limb through the gap between them; any more is as good.
+OUTSIDE_COST = 2 * np.pi
 
 
 def gradients(corners: Complex) -> tuple[Complex, Floats]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
+from shapetween.base.ranking import comparable
 from shapetween.geometry.polygon import cross
 from shapetween.geometry.rotation import rotations
 from shapetween.model.arclength import arc_length
@@ -79,7 +80,7 @@ def blend_small(source: Outline, target: Outline) -> BlendedCurve:
     away = ((first[:, None] - second) ** 2).sum(-1)
     rolled = (np.arange(SAMPLES)[:, None] + np.arange(SAMPLES)) % SAMPLES
     sums = away[np.arange(SAMPLES), rolled].sum(axis=1)
-    start = int(np.argmax(sums <= sums.min() + SAME * away.max()))  # of equals the first
+    start = int(comparable(sums).argmin())  # of equals the first
     u = np.array([0.0, 0.5, 1.0])
     pieces = MatchedOutlines(*places, u, u + start / SAMPLES).cut(np.zeros(0))
     points = (curves.reshape(-1, 2) for curves in (pieces.source, pieces.target))

@@ -3,13 +3,10 @@
 import numpy as np
 
 from shapetween.base.arrays import Floats
-from shapetween.match.candidate import Candidate
+from shapetween.match.candidate import PLACES, Candidate
 from shapetween.match.costs import Prepared, sample_features
 
 __all__ = ["bends_alike", "plainly_the_same"]
-
-#: Places at which the bends of two outlines are compared. Fewer step over corners.
-PLACES = 512
 
 #: Of the windows that turning is measured in, how many of the finest count. Outlines of two things
 #: of one kind turn alike over a limb's length; only those of one thing also do so at every corner.

@@ -13,6 +13,7 @@ from shapetween.match.layout import Layout
 
 __all__ = [
     "DISTINCT",
+    "PLACES",
     "Candidate",
     "agrees",
     "apart",
@@ -27,7 +28,8 @@ __all__ = [
 #: Less, and the alternatives offered look alike; more, and one limb that goes elsewhere is missed.
 DISTINCT = 0.03
 
-#: Even places at which knots are compared with a matching. Fewer step over a limb.
+#: Even places at which knots are compared with a matching, and the bends of two outlines. Fewer
+#: step over limbs and corners.
 PLACES = 512
 
 

@@ -52,8 +52,8 @@ MOST_UNLIKE = 1.5
 #: level side would have any rank from its one end's to its other's.
 RANK_BLUR = 0.1
 
-#: Greatest exponent of a rank's exponentials: that of `RANK_BLUR` times 350, from the centroid.
-FAR = 700.0
+#: Greatest exponent of a rank's exponentials: the product of two stays a number.
+FAR = float(np.floor(np.log(np.finfo(np.float64).max) / 2))
 
 
 Cells: TypeAlias = tuple[Index, Index]

@@ -51,9 +51,6 @@ FORCED_TIPS = 5
 #: meant the thing turned finds it nowhere; more, and they take the places of better ones.
 OTHER_FRAME = 2
 
-#: Cost below which a matching is as good as free, and that of another is no multiple of it.
-LEAST_COST = 0.01
-
 #: How many times cheaper it must be to turn by more than a right angle where the other way round is
 #: a matching too. Less, and rounding decides how a bone or a bolt comes to lie; more, and a pencil
 #: is laid on its head.
@@ -232,7 +229,8 @@ class _Comparison:
         """What the costs of a turned frame are weighed by against those as drawn."""
         frames = upright.frame, turned.frame, standing(self.a), standing(self.b)
         most, least = (handicap(*frames, stand=upright.even, plain=plain) for plain in (0.0, 1.0))
-        if not least < upright.best.cost / max(turned.best.cost, LEAST_COST) <= most:
+        cost = turned.best.cost
+        if not least * cost < upright.best.cost <= most * cost:
             return most
         alike = (self._bends_alike(found.best) for found in (turned, upright))
         return handicap(*frames, stand=upright.even, plain=plainly_the_same(*alike))

@@ -32,9 +32,6 @@ PROMISING = 0.99
 #: Most shifts refined. Each is a symmetry of the outline, or nearly.
 MOST_SHIFTS = 32
 
-#: Steps of the refinement; it converges quadratically.
-REFINE_STEPS = 12
-
 #: Error of a step between knots, as a share of the length, at which it is halved. Smaller makes
 #: knots by the thousand.
 KNOT_ERROR = 5e-7
@@ -162,7 +159,8 @@ def _refine(a: _Whitened, b: _Whitened, shift: float, angle: float | None) -> _F
     """Gauss-Newton for the shift, the best angle with it unless one is given."""
     grid = np.arange(0, SHIFT_SAMPLES, REFINE_STEP) / SHIFT_SAMPLES
     za = a.points(grid)
-    for _ in range(REFINE_STEPS):
+    last = np.inf
+    while True:
         zb = b.points(grid + shift)
         direction = b.arcs.tangent(grid + shift) @ [1, 1j] * b.arcs.length
         turn = np.angle((zb * za.conj()).sum()) if angle is None else angle
@@ -177,8 +175,9 @@ def _refine(a: _Whitened, b: _Whitened, shift: float, angle: float | None) -> _F
             break
         step = -(gap * direction.conj()).real.sum() / strength
         shift += step
-        if abs(step) < 1e-15:
+        if abs(step) >= last:  # it converges quadratically, down to rounding
             break
+        last = abs(step)
     zb = b.points(grid + shift)
     turn = float(np.angle((zb * za.conj()).sum())) if angle is None else angle
     return _Fit(shift, turn, float(np.abs(zb - np.exp(1j * turn) * za).max()))

@@ -1,0 +1,200 @@
+"""Where the limits of matching lie: each case is looked at over a range across its limit."""
+
+import tracemalloc
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from shapetween.base.errors import OptionError, OutlineError
+from shapetween.match import register as registering
+from shapetween.match.costs import prepare, sample_features, upright_features
+from shapetween.match.even import even_matchings
+from shapetween.match.features import describe
+from shapetween.match.matcher import Matcher, registered
+from shapetween.match.pins import places_in_order
+from shapetween.match.register import register
+from shapetween.match.sampling import sample
+from shapetween.match.symmetry import Axes, aligned_ends, mirror_axes
+from shapetween.match.vertices import salient_vertices
+from tests.baseline import assert_known
+from tests.match.shapes import disc, polygon, rotation, rounded, star
+
+
+def regular(corners: int, inner: float = 0.6) -> np.ndarray:
+    angle = np.pi * np.arange(2 * corners) / corners
+    radius = np.where(np.arange(2 * corners) % 2, inner, 1.0)
+    return np.stack([np.sin(angle), np.cos(angle)], axis=1) * radius[:, None]
+
+
+def axes(count: int, *, uneven: float = 0.0, deviations: np.ndarray | None = None) -> Axes:
+    """As many evenly round an outline, every other end a little aside."""
+    ends = (np.arange(2 * count) + uneven * (np.arange(2 * count) % 2)) / (2 * count)
+    return Axes(ends, np.pi * np.arange(2 * count) / count, None, deviations)
+
+
+def test_outlines_of_hardly_any_area_are_refused() -> None:
+    refused = 0
+    for height in np.geomspace(3e-10, 1e-8, 24):
+        thin = polygon(np.array([[0.0, 0.0], [1.0, 0.0], [0.5, height]]))
+        try:
+            Matcher(thin, thin)
+        except OutlineError:
+            refused += 1
+    assert_known("match", "thin outlines refused", [refused])
+
+
+def test_pins_on_one_spot_are_refused() -> None:
+    refused = 0
+    for gap in np.geomspace(2e-7, 5e-6, 24):
+        try:
+            places_in_order(np.array([[0.1, 0.2], [0.1 + gap, 0.2 + gap], [0.5, 0.6]]))
+        except OptionError:
+            refused += 1
+    assert_known("match", "pins on one spot", [refused])
+
+
+def test_what_counts_as_symmetric_is_known() -> None:
+    deviations = np.geomspace(1e-3, 0.2, 24)
+    ends = np.linspace(0.0, 1.0, 24, endpoint=False)
+    alone = [Axes(ends[:1], ends[:1], None, deviations[k : k + 1]).even for k in range(24)]
+    beside = [
+        len(Axes(ends, ends, None, deviations[::-1] + least).beside(other).ends)
+        for least in (0.0, 0.04)
+        for other in (Axes(ends[:1], ends[:1], None, np.array([d])) for d in deviations)
+    ]
+    assert_known("match", "symmetric", [sum(alone), *beside])
+
+
+def test_what_counts_as_a_disc_is_known() -> None:
+    angle = 2 * np.pi * np.arange(96) / 96
+    ways = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    round_ones = [
+        mirror_axes(ways * (1 + bump * np.cos(5 * angle))[:, None]).around is not None
+        for bump in np.geomspace(1e-3, 0.05, 32)
+    ]
+    assert_known("match", "discs", [sum(round_ones)])
+
+
+def test_which_axes_are_tried_is_known() -> None:
+    leans = np.geomspace(0.004, 0.9, 24)
+    figures = [len(aligned_ends(axes(3), axes(4), lean)) for lean in leans]
+    figures += [len(aligned_ends(axes(6), axes(9), lean)) for lean in leans[::6]]
+    found = [aligned_ends(axes(4, uneven=off), axes(4), 0.0) for off in np.geomspace(0.02, 0.5, 16)]
+    figures += [sum(ends.size for ends in each) for each in found]
+    assert_known("match", "axes tried", figures)
+
+
+def test_noise_moves_no_end_of_an_axis() -> None:
+    points = sample(polygon(regular(5))).points
+    noise = 1e-11 * np.random.default_rng(2).normal(size=points.shape)
+    one, other = mirror_axes(points), mirror_axes(points + noise)
+    assert (one.ends == other.ends).all()
+
+
+def test_a_straight_side_has_no_vertex() -> None:
+    along = np.linspace(0.0, 1.0, 4, endpoint=False)
+    side = np.stack([along, np.zeros(4)], axis=1)
+    turns = [np.array([[0.0, 1.0], [-1.0, 0.0]])] * 3
+    corners = [side]
+    for turn in turns:
+        corners.append(corners[-1] @ turn + [corners[-1][-1] + (corners[-1][1] - corners[-1][0])])
+    square = np.concatenate(corners)
+    counts = []
+    for bump in np.geomspace(2e-10, 8e-9, 24):
+        points = square.copy()
+        points[2, 1] -= bump
+        counts.append(int((salient_vertices(points).weight > 0).sum()))
+    assert_known("match", "vertices", counts)
+
+
+def test_matchings_of_many_sectors_are_known() -> None:
+    sides = prepare(polygon(regular(12))), prepare(polygon(regular(12, 0.8)))
+    rewards = np.zeros((len(sides[0].vertices.index), len(sides[1].vertices.index)))
+    found = even_matchings(*sides, 0.0, rewards)
+    assert_known("match", "sectors", [len(found[0].a), found[0].cost, *found[0].b[:5].tolist()])
+
+
+def test_how_far_positions_are_stretched_is_known() -> None:
+    figures = []
+    for wide in (1.5, 3.0, 6.0, 20.0):
+        bar = np.array([[0.0, 0.0], [wide, 0.0], [wide, 1.0], [0.0, 1.2]])
+        places = np.arange(8) / 8
+        found = upright_features(sample_features(prepare(polygon(bar)), places))
+        figures += [float(np.abs(found.spread).sum()), float(np.abs(found.ranks).sum())]
+    assert_known("match", "stretched", figures)
+
+
+def test_ranks_of_a_needle_are_numbers() -> None:
+    needle = np.array([[0.0, 0.0], [20000.0, 0.0], [20000.0, 1.0], [0.0, 1.2]])
+    found = upright_features(sample_features(prepare(polygon(needle)), np.arange(8) / 8))
+    assert np.isfinite(found.ranks).all()
+
+
+@pytest.mark.parametrize("cached", [prepare, lambda one: registered(one, one)])
+def test_the_last_few_outlines_are_kept(cached: Callable[[Any], object]) -> None:
+    outlines = [polygon(star(seed, 5)) for seed in range(40)]
+    first = [cached(one) for one in outlines]
+    kept = 0
+    for one, found in zip(outlines[::-1], first[::-1], strict=True):
+        if cached(one) is not found:
+            break
+        kept += 1
+    assert kept == (8 if cached is prepare else 16)
+
+
+def test_affine_copies_are_known() -> None:
+    """By what is left over, by how often they are cut, and which way a regular one turns."""
+    figures = []
+    for seed in (8, 9):
+        one = star(seed)
+        rough = one + 3e-4 * np.random.default_rng(seed).uniform(-1, 1, one.shape)
+        found = register(polygon(one), polygon(rough))
+        assert found is not None
+        figures.append(found.residual)
+    for stretch in (2.0, 30.0, 1e7):
+        matrix = np.array([[stretch, 0.4, 0.0], [0.0, 1.0, 0.0]])
+        found = register(rounded(star(5, 6)), rounded(star(5, 6)).transformed(matrix))
+        assert found is not None
+        figures.append(len(found.u))
+    assert_known("match", "affine copies", figures)
+
+
+def test_which_way_a_nearly_regular_copy_turns_is_known() -> None:
+    ways = []
+    for off in np.geomspace(1e-8, 1e-4, 25):
+        uneven = regular(5)
+        uneven[0] *= 1 + off
+        found = register(polygon(uneven[::-1]), polygon(uneven[::-1]).transformed(rotation(1.2)))
+        ways.append(0.0 if found is None else round(found.turn, 4))
+        even = polygon(regular(5)[::-1])
+        found = register(even, even.transformed(rotation(np.pi / 5 + off)))
+        ways.append(0.0 if found is None else round(found.turn, 3))
+    assert_known("match", "nearly regular", ways)
+
+
+def test_few_shifts_are_refined(monkeypatch: pytest.MonkeyPatch) -> None:
+    counts: list[int] = []
+    refine = registering._refine
+
+    def counted(*arguments: Any) -> Any:
+        counts[-1] += 1
+        return refine(*arguments)
+
+    monkeypatch.setattr(registering, "_refine", counted)
+    for one in (polygon(regular(50, 0.97)), rounded(star(3, 7)), polygon(star(8)), disc()):
+        counts.append(0)
+        register(one, one.transformed(rotation(0.3)))
+    assert_known("match", "shifts refined", counts)
+
+
+def test_tables_are_looked_through_in_parts() -> None:
+    """Memory is small beside that of a table of all samples by all."""
+    points = sample(polygon(star(3))).points
+    describe(points)
+    tracemalloc.start()
+    describe(points)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert_known("match", "memory", [round(peak / 1e5)])
