@@ -1,6 +1,6 @@
 """Roles: which item becomes which, and what comes and goes by itself."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -80,6 +80,20 @@ class Roles:
     appearing: tuple[int, ...]
     disappearing_costs: tuple[float, ...] = ()
     appearing_costs: tuple[float, ...] = ()
+
+    def without(self, dropped: Collection[int]) -> "Roles":
+        """The same, but with both items of some pairs alone."""
+        firsts = {self.pairs[k].first: np.inf for k in dropped}
+        seconds = {self.pairs[k].second: np.inf for k in dropped}
+        firsts |= dict(zip(self.disappearing, self.disappearing_costs, strict=True))
+        seconds |= dict(zip(self.appearing, self.appearing_costs, strict=True))
+        return Roles(
+            tuple(role for k, role in enumerate(self.pairs) if k not in dropped),
+            tuple(sorted(firsts)),
+            tuple(sorted(seconds)),
+            tuple(firsts[k] for k in sorted(firsts)),
+            tuple(seconds[k] for k in sorted(seconds)),
+        )
 
 
 def assign(

@@ -19,6 +19,7 @@ from shapetween.scene.evidence import (
     unique_saving,
 )
 from shapetween.scene.forms import Blob, Dot, OpenLine, RoundedBox, Segment
+from shapetween.scene.likeness import drawn_alike
 from shapetween.scene.relations import Scene, in_common
 
 __all__ = [
@@ -42,8 +43,9 @@ CLASS, OPEN, NEVER, KIND = 0.35, 0.35, 3.0, 1.0
 #: What a pair as large as the drawing saves.
 LARGE = 0.4
 
-#: What a pair saves that is one thing in two places.
-SAME = 0.5
+#: What a pair saves that is one thing in two places, and one thing in two sizes. Smaller, and a
+#: check becomes the circle that comes round it; larger, and arcs of a signal change their places.
+SAME, SCALED = 0.5, 1.2
 
 #: What a pair costs whose parents are not one, and of which only one has a parent.
 OTHER_PARENT, ORPHAN = 0.7, 0.35
@@ -111,6 +113,7 @@ def fixed_terms(a: Scene, b: Scene, evidence: Evidence) -> dict[str, Floats]:
         "form": lenient * FORM * (1 - in_common(a.pictures, b.pictures)),
         "large": -LARGE * np.minimum(1.0, 2 * np.minimum(*_both(a, b)) / _scale(a, b)),
         "same": -SAME * same_things(a, b),
+        "scaled": -SCALED * drawn_alike(a, b),
         "unique": -unique_saving(a, b),
         "sole": -sole_saving(a, b),
         "named": -named_saving(a, b),

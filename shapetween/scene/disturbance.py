@@ -9,7 +9,7 @@ from shapetween.scene.assign import Role, Roles
 from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["holes_apart", "intricacy", "waviness"]
+__all__ = ["holes_apart", "intricacy", "waviest", "waviness"]
 
 #: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
 #: more than what they are on; larger, and the limbs of an animal are not seen.
@@ -76,8 +76,10 @@ def _unlike(a: Scene, b: Scene, i: int, j: int) -> float:
     return 1 - float(in_common(a.pictures[i][None], b.pictures[j][None])[0, 0])
 
 
-def waviness(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]) -> float:
-    """By how much the outline that gets wavy most turns more on its way than at both ends.
+def waviness(
+    a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]
+) -> dict[int, float]:
+    """By how much each pair's outline turns more on its way than at both ends, by pair.
 
     Parameters
     ----------
@@ -86,14 +88,22 @@ def waviness(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[Cur
     tracks : mapping of int to sequence of CurveTrack
         By pair.
     """
-    most = 0.0
+    found = {}
     places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
     for role, share in _seen(a, b, roles):
-        track = tracks[places[role.first, role.second]][0]
+        k = places[role.first, role.second]
+        track = tracks[k][0]
         curves = track.curves(LOOKED)[:, : track.counts[0]]
         turns = [total_turning(line, closed=track.closed[0]) for line in curves]
-        most = max(most, share * (max(turns[1:-1]) - max(turns[0], turns[-1])))
-    return min(most, MOST_WAVES)
+        waves = share * (max(turns[1:-1]) - max(turns[0], turns[-1]))
+        found[k] = min(max(waves, 0.0), MOST_WAVES)
+    return found
+
+
+def waviest(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]) -> int:
+    """The pair whose outline turns most beyond its ends."""
+    found = waviness(a, b, roles, tracks)
+    return max(found, key=lambda k: (round(found[k], 9), -k))
 
 
 def _seen(a: Scene, b: Scene, roles: Roles) -> Iterator[tuple[Role, float]]:

@@ -22,7 +22,7 @@ from shapetween.scene.items import Item, intersection_over_union
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["Blob", "Dot", "Form", "OpenLine", "RoundedBox", "Segment", "form_of"]
+__all__ = ["Blob", "Dot", "Form", "OpenLine", "RoundedBox", "Segment", "form_of", "is_straight"]
 
 #: Least share of both together that a rounded box and an outline have in common for the outline to
 #: be that box. Smaller, and hearts and shields count as boxes; larger, and circles drawn of few

@@ -19,7 +19,9 @@ from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
 from shapetween.scene.attachments import MOST_ENDS, kept_to
 from shapetween.scene.borders import bordered_tracks
+from shapetween.scene.disturbance import waviest
 from shapetween.scene.exchange import (
+    LEFT,
     behind_both,
     exchange_goings,
     exchange_roles,
@@ -143,6 +145,14 @@ def move_scene(
         if not exchange:
             tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
             exchange = may and too_different(a, b, roles, behind, tracks)
+            if exchange:
+                # One pair that tears on its way is given up, if the rest is reason enough to move.
+                worst = waviest(a, b, roles, tracks)
+                fewer = roles.without({worst} if roles.pairs[worst].reason == "matched" else ())
+                if not too_different(a, b, fewer, behind, most=LEFT):
+                    roles = fewer
+                    tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
+                    exchange = too_different(a, b, roles, behind, tracks)
         if exchange:
             matched = (a, b), roles
             a, b = perceive(first, views[0]), perceive(second, views[1])

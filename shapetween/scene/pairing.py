@@ -10,9 +10,10 @@ from shapetween.base.observe import Observer, unobserved
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Asked, Group
 from shapetween.scene.assign import Roles, assign
-from shapetween.scene.cuts import cut_alike_items
+from shapetween.scene.cuts import Cut, cut_alike_items
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
+from shapetween.scene.likeness import scaled_groups
 from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame
 from shapetween.scene.relations import Scene, perceive
@@ -74,7 +75,8 @@ def pair_items(
         if frame is not None:
             b = perceive(moved_items(b, frame), views[1])
     with observe("match"):
-        cut = cut_alike_items(a, b, views, asked.groups)
+        moved = [] if asked.groups or len(asked.pins) or kept or frame else scaled_groups(a, b)
+        cut = Cut((a, b), ()) if moved else cut_alike_items(a, b, views, asked.groups)
         a, b = cut.scenes
         still = {_places_of(area, a, b): area.tracks for area in kept}
         fixed, barred = _fixed(a, b, asked.groups)
@@ -83,7 +85,7 @@ def pair_items(
         fixed += [pair for pair in pinned.values() if pair not in fixed]
         fixed += [pair for pair in cut.given if not barred[pair]]
         if not fixed and not barred.any() and frame is None:
-            fixed = lines_that_slide(a, b)
+            fixed = lines_that_slide(a, b) or moved
         roles = assign(a, b, fixed, barred, asked.price)
         roles = replace(
             roles,

@@ -422,3 +422,37 @@ def test_what_has_holes_is_exchanged_for_an_area_it_has_no_likeness_with(tmp_pat
     assert is_exchanged(made(tmp_path, glass, skull))
     other = skull.replace("M26 40v18h14v-18z", "M24 36v22h18v-22z")
     assert not is_exchanged(made(tmp_path, skull, other))
+
+
+LINES = '<g fill="none" stroke="#000" stroke-width="6" stroke-linecap="round">{}</g>'
+HAT = '<path d="M20 40h60v40h-60zM30 40c0-40 40-40 40 0"/><path d="M20 66h60"/>'
+
+
+def test_a_straight_line_that_goes_elsewhere_is_no_reason_to_move(tmp_path: Path) -> None:
+    """The bar of a hat is no bar of a list; but the handle of a magnifier is one of an x."""
+    sorted_ = '<path d="M25 10v70l-15-15M25 80l15-15M50 12h40M50 30h30M50 48h20"/>'
+    assert is_exchanged(made(tmp_path, LINES.format(HAT), LINES.format(sorted_)))
+
+
+def test_bars_turn_into_bars_and_never_leave(tmp_path: Path) -> None:
+    menu, cross = '<path d="M10 25h80M10 50h80M10 75h80"/>', '<path d="M25 25l50 50M75 25l-50 50"/>'
+    assert not is_exchanged(made(tmp_path, LINES.format(menu), LINES.format(cross)))
+
+
+def test_one_pair_that_tears_is_given_up_for_the_rest_to_move(tmp_path: Path) -> None:
+    """A tray would become the cloud; it goes, the cloud comes, and the arrow stays an arrow."""
+    scaled = '<g transform="scale(4)" stroke-width="2">{}</g>'
+    tray = '<path d="M4 17v2a2 2 0 0 0 2 2h12a2 2 0 0 0 2-2v-2M7 11l5 5 5-5M12 4v12"/>'
+    cloud = (
+        '<path d="M19 18a3.5 3.5 0 0 0 0-7h-1a5 4.5 0 0 0-11-2a4.6 4.4 0 0 0-2.1 8.4"/>'
+        '<path d="M12 13v9M9 19l3 3 3-3"/>'
+    )
+    one, other = (LINES.format(scaled.format(inner)) for inner in (tray, cloud))
+    found = made(tmp_path, one, other)
+    assert not is_exchanged(found)
+    seen = [
+        tuple(part.style(t).opacity > 0 for t in (0.0, 1.0))
+        for part in found.prepared.movement.parts
+    ]
+    assert set(seen) == {(True, True), (True, False), (False, True)}
+    assert seen.count((True, True)) == 2

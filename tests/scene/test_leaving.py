@@ -472,21 +472,48 @@ def test_a_fill_that_becomes_an_outline_of_its_colour_is_never_grey(tmp_path: Pa
     assert areas[0] * areas[1] < 0
 
 
-def test_a_ring_round_what_stays_never_cuts_through_it(tmp_path: Path) -> None:
-    """It comes nearly as large as it is, thin at first; round a dot it grows from that."""
+def test_a_ring_is_drawn_round_what_stays_from_its_head_down(tmp_path: Path) -> None:
+    """At its own size and weight, evenly on both sides; round a dot it grows from that."""
     bar = '<path d="M{} 12h{}"/>'
     ring = '<circle cx="12" cy="12" r="9"/>'
-    for inner, least in ((bar.format(7, 10), 0.85), (bar.format(11.5, 1), 0.1)):
-        (part,) = lone(morph(tmp_path, inner, inner + ring, ICON), arrives=True)
-        times = np.linspace(0, 1, 33)
-        seen = [t for t in times if part.style(t).opacity > 0]
-        radii = [np.ptp(part.curves(np.array([t]))[0][:, :, 0]) / 18 for t in seen]
-        assert min(radii) >= least - 1e-6
-        assert min(radii) < least + 0.1
-        strokes = [part.style(t).stroke for t in seen]
-        widths = [stroke.width for stroke in strokes if stroke is not None]
-        assert widths[0] < 0.6 * widths[-1]
-        assert (np.diff(widths) > -1e-9).all()
+    (drawn_round,) = lone(
+        morph(tmp_path, bar.format(7, 10), bar.format(7, 10) + ring, ICON), arrives=True
+    )
+    (grown,) = lone(
+        morph(tmp_path, bar.format(11.5, 1), bar.format(11.5, 1) + ring, ICON), arrives=True
+    )
+    times = [t for t in np.linspace(0, 1, 33).tolist() if drawn_round.style(t).opacity > 0]
+    ends = []
+    for t in times:
+        points = drawn_round.curves(np.array([t]))[0][:, [0, 3]].reshape(-1, 2)
+        assert np.hypot(*(points - 12).T) == pytest.approx(9, abs=0.01)
+        assert points[:, 1].min() == pytest.approx(3, abs=0.3)
+        assert points[:, 0].mean() == pytest.approx(12, abs=0.05)
+        stroke = drawn_round.style(t).stroke
+        assert stroke is not None
+        assert stroke.width == 2
+        ends.append(points[:, 1].max())
+    assert ends[0] < 4
+    assert ends[-1] == pytest.approx(21)
+    assert (np.diff(ends) > -1e-9).all()
+    assert np.ptp(grown.curves(np.array([0.3]))[0][:, :, 0]) < 9
+
+
+def test_a_ring_waits_until_there_is_room_in_it(tmp_path: Path) -> None:
+    """A check that shrinks into it would be cut by it."""
+    check, small = '<path d="M2 12l7 7 14-14"/>', '<path d="M9 12l2 2 4-4"/>'
+    ring = '<circle cx="12" cy="12" r="9"/>'
+    found = morph(tmp_path, check, ring + small, ICON)
+    (comes,) = lone(found, arrives=True)
+    back = morph(tmp_path, ring + small, check, ICON)
+    (goes,) = lone(back, arrives=False)
+    (stays,) = (p for p in found.prepared.movement.parts if p is not comes)
+    for t in np.linspace(0, 1, 33).tolist():
+        assert (comes.style(t).opacity > 0) == (goes.style(1 - t).opacity > 0)
+        if comes.style(t).opacity > 0:
+            points = stays.curves(np.array([t]))[0].reshape(-1, 2)
+            assert np.hypot(*(points - 12).T).max() < 9 - 1
+    assert comes.style(0.7).opacity > 0
 
 
 def test_a_line_waits_until_what_is_in_its_place_has_moved(tmp_path: Path) -> None:

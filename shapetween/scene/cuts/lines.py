@@ -9,6 +9,7 @@ from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found, piece_of
+from shapetween.scene.forms import is_straight
 from shapetween.scene.items import Item
 from shapetween.scene.motion.knots import kinks_of
 from shapetween.scene.places import Places, run_of
@@ -64,6 +65,8 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
             continue
         if len(spans) == 1 and not item.closed and total > 1 - REST:
             continue
+        if len(spans) == 1 and _shortens(item, spans[0]):
+            continue
         found[k] = _divided(item, places, spans)
         taken |= {j for *_, j in spans}
     return found
@@ -108,6 +111,12 @@ def _span(places: Places, line: Item, points: Points, scale: float) -> tuple[flo
         return None
     start = float(shares[0] - np.floor(shares[0]))
     return start, start + min(length, 1.0)
+
+
+def _shortens(item: Item, span: tuple[float, float, int]) -> bool:
+    """Whether a straight line only gets shorter at both its ends, with nothing cut out of it."""
+    start, end, _ = span
+    return start > REST and end < 1 - REST and is_straight(item.outer)
 
 
 def _at_corners(places: Places, spans: list[tuple[float, float, int]]) -> bool:

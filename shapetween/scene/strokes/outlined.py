@@ -230,6 +230,11 @@ def stroked_leaving(lines: LeavingTrack, painted: Painted) -> StrokedTrack | Non
     """
     home, rings = lines.whole, painted.rings
     areas: list[tuple[Outline, ...]] = [rings]
+    if len(rings) == 2 and not lines.closed[0]:
+        opened = opened_ring(Outline(home[0], closed=False), rings)
+        if opened is None:
+            return None
+        areas = [(opened,)]
     if len(home) == 2:
         whole = np.concatenate(home)
         parts = parted_ring(Outline(whole, closed=False), rings[0], len(home[0]))

@@ -25,6 +25,7 @@ from shapetween.scene.unmatched.clusters import (
     is_line,
     staying_parent,
 )
+from shapetween.scene.unmatched.encircling import encircling_going
 from shapetween.scene.unmatched.gaps import timed_gaps
 from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside, within_reach
 from shapetween.scene.unmatched.presence import Leaving
@@ -67,18 +68,9 @@ APART = 0.03
 SLIM = 1.6
 
 
-#: How far what stays within a line reaches, as a share of how far that does, from which on the line
-#: does not shrink onto it; and share of its size at which it comes then. Smaller shares and rings
-#: cut through what is in them; larger, and dots in a ring keep it from shrinking.
-SMALL, CLEAR = 0.35, 0.85
-
 #: Time from which on a line comes in whose place something was. Earlier, and both are seen there at
 #: once; later, and it snaps.
 LATE = 0.55
-
-#: Power of that size by which the line is thinner. Smaller, and it is there with a jerk; larger,
-#: and it is a hair for long.
-THINS = 8.0
 
 
 def goings_between(
@@ -199,38 +191,12 @@ def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
     if lines is not None:
         return lines
     members = cluster.members
-    clear = _clearance(members, side)
-    if clear is not None:
-        item = side.scene.items[members[0]]
-        leaving = Leaving(side.window, item.centre, least=clear, thins=THINS)
-        return {members[0]: Going(leaving)}
+    round_it = encircling_going(members, side)
+    if round_it is not None:
+        return {members[0]: round_it}
     place, anchor, how = _shrinks_to(cluster, side)
     leaving = Leaving(side.window, place, least=_least(members, side.scene))
     return {k: Going(leaving, side.carry(anchor, place, how)) for k in members}
-
-
-def _clearance(members: Sequence[int], side: Side) -> float | None:
-    """Share of its size at which a line runs clear of what stays within it; None if it may shrink.
-
-    Smaller, it would cut through that.
-    """
-    import shapely
-
-    scene = side.scene
-    item = scene.items[members[0]]
-    if len(members) > 1 or item.filled or not item.closed:
-        return None
-    inside = [
-        scene.items[j].drawn
-        for j in side.anchors
-        if not scene.sheets[j] and item.enclosed.contains(scene.items[j].drawn)
-    ]
-    if not inside:
-        return None
-    reach = float(shapely.Point(item.centre).distance(item.enclosed.boundary))
-    corners = shapely.get_coordinates(shapely.union_all(inside))
-    far = float(np.linalg.norm(corners - item.centre, axis=1).max())
-    return None if far < SMALL * reach else CLEAR
 
 
 def _shrinks_to(

@@ -62,7 +62,7 @@ class Going:
         One for all of it, one for each half of a line that goes into both its ends, one for each
         end of a line that goes into its middle, or none.
     cut : float
-        Where that line is cut, as a share of its length.
+        Where that line is cut, or a ring that is drawn, as a share of its length.
     fold : Fold or None
         How a line folds down onto what it hangs on, instead.
     """

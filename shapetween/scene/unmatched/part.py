@@ -10,7 +10,7 @@ from shapetween.model.paint import Style
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Framed
-from shapetween.scene.places import Places, cut_alike
+from shapetween.scene.places import Places, cut_alike, run_of
 from shapetween.scene.strokes.outlined import stroke_notice, stroked_leaving
 from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.presence import Carry, Leaving, LeavingPaint, LeavingTrack
@@ -44,7 +44,9 @@ def unmatched_part(
     closed = tuple(ring.closed for ring in item.rings)
     if item.filled:
         rings[1:] = [curves[::-1, ::-1] for curves in rings[1:]]
-    if isinstance(leaving.kept, tuple):
+    if leaving.kept is not None and item.closed:
+        rings, closed = [run_of(Places(item.outer), going.cut, going.cut + 1).curves], (False,)
+    elif isinstance(leaving.kept, tuple):
         rings, closed = _halves(item.outer, going.cut), (False, False)
     if fold is not None:
         rings = [fold.pieces.source]
