@@ -121,7 +121,7 @@ def _alike(curves: Curves, reach: float) -> Floats | None:
     if len(curves) <= FEW or not curves.size:
         return None
     local = (curves - curves[:, :1, :1]).reshape(len(curves), -1)
-    most = local[int(comparable(np.einsum("ij,ij->i", local, local)).argmax())]
+    most = local[int(comparable(np.einsum("ij,ij->i", local, local)).argmax())].copy()
     square = float(most @ most)
     if not square > 0:
         return None
@@ -141,7 +141,8 @@ def _merged_alike(
     k = int(comparable(np.abs(sizes[looked])).argmax())
     start = curves[:, 0, 0]
     form = (few[k] - start[looked[k]]) / sizes[looked[k]]
-    merged = start[:, None, None] + sizes[:, None, None, None] * form
+    merged = sizes[:, None, None, None] * form
+    merged += start[:, None, None]
     merged[looked] = few
     return merged, counts
 

@@ -101,6 +101,7 @@ def test_what_only_moves_and_grows_is_looked_at_when_it_is_largest(
     for sizes in (np.linspace(0, 1, 31), np.concatenate([np.linspace(1, 2, 16), [1.0]])):
         moves = np.linspace(0, 700, len(sizes))[:, None] * [1.0, -0.4]
         stack = moves[:, None, None] + sizes[:, None, None, None] * form
+        assert merging._alike(stack, merging.ALIKE * 0.2) is not None
         monkeypatch.setattr(merging, "ALIKE", 0.0)
         every, count = merged_curves(stack, (60,), 0.4, 0.2)
         monkeypatch.undo()

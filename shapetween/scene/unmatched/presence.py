@@ -251,7 +251,8 @@ class LeavingTrack(Leaf):
         place = self.leaving.place
         if place is not None:
             size = self.leaving.size(gone)[:, None, None, None]
-            rings = [place + size * (ring - place) for ring in rings]
+            grown = (size * (ring - place) for ring in rings)
+            rings = [np.add(place, ring, out=ring) for ring in grown]
         rings = [np.broadcast_to(ring, (len(t), *ring.shape[1:])) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)

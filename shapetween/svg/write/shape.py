@@ -54,9 +54,10 @@ MOST_WRITTEN, LEAST_KEYFRAMES, LOOSER = 300_000, 9, 1.5
 #: it: parts of the steps on which keyframes may lie.
 MOST_SAMPLED, STRIDES = 1_500_000, (2, 3, 4, 5, 6)
 
-#: Curves of all samples past which no corners of the movement are looked for: to find out when they
-#: are it is sampled hundreds of times more. More takes minutes and gigabytes; with fewer, drawings
-#: whose pieces go one after another take many more easings.
+#: Curves of all samples past which no corners of what meshes move are looked for, and of all else
+#: only in some of its points: to find out when they are it is sampled hundreds of times more. More
+#: takes minutes and gigabytes; with fewer, drawings whose pieces go one after another take many
+#: more easings.
 MOST_LOOKED = 100_000
 
 
@@ -145,8 +146,13 @@ class _Plan:
     @property
     def looks(self) -> bool:
         """Whether corners of the movement are looked for."""
-        steps = len(self.clock.schedule.finer()[0].clock)
-        return self.clock.adaptive and steps * sum(self.part.rings) <= MOST_LOOKED
+        few = self._samples <= MOST_LOOKED
+        return self.clock.adaptive and (few or not self.part.areas)
+
+    @property
+    def _samples(self) -> int:
+        """Curves of all samples together."""
+        return len(self.clock.schedule.finer()[0].clock) * sum(self.part.rings)
 
     @property
     def step(self) -> float:
@@ -161,6 +167,16 @@ class _Plan:
         """Curves at any times of the player's clock (M,), (M, N, 4, 2)."""
         return self.part.curves(np.clip(self.clock.schedule.time_at(clock), *self.seen))
 
+    def places_of_some(self, clock: Floats) -> Floats:
+        """Of many points only some, (M, K, 2), at any times (M,), found a few times at once."""
+        times = np.array_split(clock, 1 + len(clock) * sum(self.part.rings) // MOST_LOOKED)
+        return np.concatenate([self.some(self.places(few)) for few in times])
+
+    def some(self, curves: Curves) -> Floats:
+        """Of all points of curves (S, N, 4, 2) those in which corners are looked for."""
+        every = curves.reshape(len(curves), -1, 2)
+        return every[:, :: 1 + self._samples // MOST_LOOKED].copy()
+
     def laid_out(self, stack: Curves) -> tuple[PathForm, Floats, tuple[int, ...]]:
         """The path of curves (S, N, 4, 2), its points (S, K, 2), and the curves of each ring."""
         rings = self.part.rings
@@ -174,21 +190,18 @@ class _Plan:
         """All points as one sum of easings, or through keyframes."""
         clock, decimals, tolerance = self.clock, self.decimals, self.tolerance
         finer, kept = clock.schedule.finer()
-        stack = self.curves(finer)
+        # Of long outlines a hundred megabytes: nobody keeps them while they are laid out.
+        stacks = [self.curves(finer)]
         turns: tuple[float, ...] = ()
         if self.looks:
-
-            def places(clock: Floats) -> Floats:
-                return self.places(clock).reshape(len(clock), -1, 2)
-
-            every = stack.reshape(len(stack), -1, 2)
-            turns = turning_times(every, finer.clock, tolerance, places)
+            places = self.some(stacks[0])
+            turns = turning_times(places, finer.clock, tolerance, self.places_of_some)
             if turns:
                 finer, own = finer.with_corners(turns)
                 kept = own[kept]
-                stack = self.curves(finer)
-        form, points, _ = self.laid_out(stack)
-        del stack  # of long outlines a hundred megabytes
+                stacks = []
+                stacks = [self.curves(finer)]
+        form, points, _ = self.laid_out(stacks.pop())
         first = on_grid(points[:1], decimals)
         rest = form.texts(first, decimals)[0]
         if np.ptp(points, axis=0).max(initial=0.0) <= STILL * self.step:

@@ -6,6 +6,7 @@ import pytest
 from shapetween.base.arrays import Curves, Floats
 from shapetween.model.drawing import Box
 from shapetween.model.movement import Movement
+from shapetween.model.part import Part
 from shapetween.svg.write.shape import MOST_LOOKED
 from shapetween.svg.write.smil import smil_svg
 from shapetween.timing.easing import easing_function
@@ -14,20 +15,29 @@ from tests.smil import SVG, curves_of, path_at
 
 
 @pytest.mark.parametrize("curves", [4, MOST_LOOKED // 20])
-def test_movements_of_very_many_curves_are_not_sampled_again_for_their_corners(curves: int) -> None:
-    asked = 0
+@pytest.mark.parametrize("meshed", [True, False])
+def test_corners_of_very_many_curves_that_meshes_move_are_not_looked_for(
+    curves: int, meshed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """That would take minutes; all else is looked at in some of its points, some times at once."""
+    asked: list[int] = []
 
     def move(t: Floats, start: Curves) -> Curves:
-        nonlocal asked
-        asked += len(t)
+        asked.append(len(t))
         there = np.abs(t - 0.37)[:, None, None, None] * np.array([20.0, 7.0])
         return np.asarray(start + there)
 
     ring = np.tile(circle(np.array([50.0, 50.0]), 9.0), (curves // 4, 1, 1))
     rings = (4,) * (curves // 4)
     part = formula_part(ring, move, rings=rings, closed=(True,) * len(rings))
-    smil_svg(Movement((part,), Box(0, 0, 100, 100)))
-    assert (asked > 300) == (curves == 4)
+    if meshed:
+        monkeypatch.setattr(Part, "areas", property(lambda part: (part,)))
+    text = smil_svg(Movement((part,), Box(0, 0, 100, 100)))
+    looked = curves == 4 or not meshed
+    assert (sum(asked) > 300) == looked
+    assert (text.count("<animate ") == 2) == looked  # two easings that meet, or keyframes
+    # All at once are only the samples, with corners and without.
+    assert sum(count * curves > 2 * MOST_LOOKED for count in asked) <= 2
 
 
 #: When each of many rings sets off and arrives: slowly at first, and quickly at last.
