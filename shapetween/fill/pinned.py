@@ -7,14 +7,11 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError
+from shapetween.match.pins import REACH
 from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 
-__all__ = ["PIN_REACH", "PinnedRings", "pinned_rings"]
-
-#: Distance of a pin from the rings that it may belong to, as a share of their piece's size: a click
-#: beside the line is meant, one elsewhere is a mistake.
-PIN_REACH = 0.05
+__all__ = ["PinnedRings", "pinned_rings"]
 
 #: Two distances that differ by less, as a share of the piece's size, are the same.
 TIE = 1e-9
@@ -91,4 +88,4 @@ def _away(rings: Sequence[Outline], points: Points) -> Floats:
     """Distance of points from rings in sizes of the outer one, (R, K); too far is infinite."""
     size = float(np.linalg.norm(np.ptp(rings[0].box, axis=0)))
     found = np.stack([arc_length(ring).nearest(points)[1] for ring in rings]) / size
-    return np.where(found <= PIN_REACH, found, np.inf)
+    return np.where(found <= REACH, found, np.inf)

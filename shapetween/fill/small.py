@@ -22,9 +22,6 @@ SAMPLES = 64
 #: Lower, and round ones turn for nothing; higher, and long ones shrink on their way.
 TURN_SAVES = 0.3
 
-#: Distance of every control point, as a share of the size, up to which two contours are one.
-SAME = 1e-6
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BlendedCurve:
@@ -68,10 +65,10 @@ def blend_small(source: Outline, target: Outline) -> BlendedCurve:
         nearest to each other.
     """
     for way in (target, target.reversed()):
-        alike = source.curves.shape == way.curves.shape
-        extent = float(np.ptp(target.box, axis=0).max())
-        if alike and np.abs(source.curves - way.curves).max() <= SAME * extent:
-            return BlendedCurve(source.curves, way.curves, 0.0)
+        if source.curves.shape == way.curves.shape:
+            one, other = comparable(np.stack([source.curves, way.curves]))
+            if (one == other).all():
+                return BlendedCurve(source.curves, way.curves, 0.0)
     way = target if (source.area > 0) == (target.area > 0) else target.reversed()
     places = arc_length(source), arc_length(way)
     even = np.arange(SAMPLES) / SAMPLES

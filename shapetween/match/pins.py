@@ -7,7 +7,7 @@ from shapetween.base.errors import OptionError
 from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 
-__all__ = ["pinned_places", "places_in_order"]
+__all__ = ["REACH", "pinned_places", "places_in_order"]
 
 #: Farthest a pin may lie from its outline, as a share of the outline's diagonal: a click beside
 #: the line is meant, one elsewhere is a mistake.

@@ -25,9 +25,6 @@ LEAST_POINTS = 4000
 #: tried, and how much larger it is for each further one. Finer detail is never seen to move.
 FINEST, COARSER = 1e-3, 1.25
 
-#: Polygons tried at most; the last ones are coarser than the outline is large.
-ATTEMPTS = 40
-
 #: Places of a side at which its share of the outline is read. Fewer, and what is matched on the
 #: outline is a little off on the polygon; more cost time.
 READ = 4
@@ -170,7 +167,7 @@ def coarse(outline: Outline, most: int) -> Coarse | None:
     rest = shapely.Polygon(points)
     tolerance = FINEST * float(np.sqrt(abs(outline.area)))
     left_out = 0.0
-    for _ in range(ATTEMPTS):
+    while tolerance < float(np.ptp(outline.box, axis=0).max()):
         rest = shapely.simplify(rest, tolerance)
         left_out += tolerance
         if shapely.get_num_coordinates(rest) <= most + 1:

@@ -21,6 +21,7 @@ from shapetween.deform.motion import AmbientMotion
 from shapetween.deform.schedule import STIFFNESS_SCHEDULE
 from shapetween.geometry.rotation import rotations
 from shapetween.match.matcher import Matcher
+from shapetween.match.pins import REACH
 from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.outline.body import Carried, Nodes, RingMatch
 from shapetween.outline.carry import affine_between
@@ -33,10 +34,6 @@ __all__ = ["Effort", "Previews", "previewed_body"]
 Effort = Literal["line", "plane", "full"]
 """How much is done for a movement. The matching is the same each time. "line": nodes go straight;
 "plane": in an ambient mesh that no quads lead and nobody checks; "full": as it is saved."""
-
-#: Distance of a pin from the outline that it may belong to, as a share of its body's size; the same
-#: as that of the full result, or a pin that is shown while it is dragged is refused after.
-PIN_REACH = 0.05
 
 #: Ends of pins whose places are kept, of a ring. More are of drags long past; fewer than a leg has
 #: pins, and each step of a drag looks for all of them anew.
@@ -168,7 +165,7 @@ def _assigned(
         return {}
     found = [rings[key].places(pins) for key in keys]
     off = np.stack([far for _, far in found])
-    sums = np.where((off <= PIN_REACH).all(axis=2), off.sum(axis=2), np.inf)
+    sums = np.where((off <= REACH).all(axis=2), off.sum(axis=2), np.inf)
     nearest = sums.argmin(axis=0)
     if not np.isfinite(sums.min(axis=0)).all():
         return None

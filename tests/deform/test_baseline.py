@@ -26,6 +26,17 @@ CASES: dict[str, Case] = {
     "a hole that moves": (ring_with_hole(-0.4)[0], ring_with_hole(0.45)[0], ring_with_hole(0)[1]),
     "discs that go round": (two_discs(0.0)[0], two_discs(2.0)[0], two_discs(0.0)[1]),
     "a comb that becomes a star": (comb(2, 0.0), blob(4, 10), None),
+    "a strip that bends the other way": (bowed_strip(-6.0), bowed_strip(6.0), None),
+    "discs that nearly change places": (
+        two_discs(0.0)[0],
+        two_discs(3.0)[0],
+        two_discs(0.0)[1],
+    ),
+    "discs that run into each other": (
+        two_discs(0.0)[0],
+        two_discs(3.14)[0],
+        two_discs(0.0)[1],
+    ),
 }
 
 

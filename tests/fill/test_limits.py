@@ -118,7 +118,7 @@ def test_rounding_does_not_cut_what_touches(seed: int) -> None:
 
 
 def test_what_is_shown_is_not_moved() -> None:
-    (found,) = _resolved([square(0, 0, 3), square(1, 1, 4)], "nonzero", "a")
+    (found,) = _resolved([square(0, 0, 3), square(1, 1, 6)], "nonzero", "a")
     corners = np.sort(np.unique(found.outer.curves[:, 0].round(11)))
     np.testing.assert_allclose(corners, np.unique(corners.round(0)), atol=1e-10)
 

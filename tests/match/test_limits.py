@@ -12,6 +12,7 @@ from shapetween.match import register as registering
 from shapetween.match.costs import prepare, sample_features, upright_features
 from shapetween.match.even import even_matchings
 from shapetween.match.features import describe
+from shapetween.match.match import _Comparison
 from shapetween.match.matcher import Matcher, registered
 from shapetween.match.pins import places_in_order
 from shapetween.match.register import register
@@ -107,6 +108,16 @@ def test_a_straight_side_has_no_vertex() -> None:
         points[2, 1] -= bump
         counts.append(int((salient_vertices(points).weight > 0).sum()))
     assert_known("match", "vertices", counts)
+
+
+def test_which_turned_frames_are_tried_is_known() -> None:
+    figures = []
+    for degrees in (2, 5, 8, 11, 14, 20, 30, 40):
+        lean = rotation(np.radians(degrees))[:, :2]
+        bent = star(4, 6) + 0.06 * np.sin(7 * star(4, 6)[:, ::-1])
+        sides = prepare(rounded(star(4, 6))), prepare(rounded(bent @ lean.T))
+        figures.append(len(_Comparison(*sides, np.zeros((0, 2)))._ranked(forced=False)))
+    assert_known("match", "frames tried", figures)
 
 
 def test_matchings_of_many_sectors_are_known() -> None:
