@@ -23,6 +23,15 @@ from shapetween.scene.whole import frame_between, moved_items
 __all__ = ["Paired", "pair_items"]
 
 
+#: Distance, as a share of the drawing, up to which what is left of a line is all of another one.
+#: Smaller, and a stem that is drawn with a dome leaves; larger, and a corner becomes a check.
+ALL_OF = 0.03
+
+#: Size, as a share of the drawing, up to which what is left of a line is a gap in it. Larger, and
+#: the back of a folder is; smaller, and the corner of a table becomes a stroke of an x.
+GAP = 0.4
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Paired:
     """Two drawings as scenes, and who becomes whom.
@@ -81,6 +90,7 @@ def pair_items(
         still = {_places_of(area, a, b): area.tracks for area in kept}
         fixed, barred = _fixed(a, b, asked.groups)
         fixed += [pair for pair in still if pair not in fixed]
+        barred |= _rests(cut)
         pinned = pinned_items(asked.pins, a, b)
         fixed += [pair for pair in pinned.values() if pair not in fixed]
         fixed += [pair for pair in cut.given if not barred[pair]]
@@ -95,6 +105,30 @@ def pair_items(
             ),
         )
     return Paired((a, b), roles, frame, pinned, still)
+
+
+def _rests(cut: Cut) -> Mask:
+    """Pairs of the little that is left of a line that was cut, and anything that was not.
+
+    It goes into what it was cut from, or comes out of that, unless it is all of the other one.
+    """
+    given = [{pair[n] for pair in cut.given} for n in (0, 1)]
+    kinds = [
+        [
+            item.cut and not item.filled and k not in own and item.size < GAP * scene.scale
+            for k, item in enumerate(scene.items)
+        ]
+        for scene, own in zip(cut.scenes, given, strict=True)
+    ]
+    whole = [[not item.cut for item in scene.items] for scene in cut.scenes]
+    rests = np.outer(kinds[0], whole[1]) | np.outer(whole[0], kinds[1])
+    for i, j in np.argwhere(rests).tolist():
+        points = [scene.items[k].points for scene, k in zip(cut.scenes, (i, j), strict=True)]
+        ways = [
+            np.linalg.norm(points[0] - way, axis=1).max() for way in (points[1], points[1][::-1])
+        ]
+        rests[i, j] = min(ways) > ALL_OF * cut.scenes[0].scale
+    return np.asarray(rests)
 
 
 def _places_of(area: KeptArea, a: Scene, b: Scene) -> tuple[int, int]:

@@ -313,3 +313,56 @@ def test_a_chord_is_not_closed_by_half_of_its_ring(tmp_path: Path) -> None:
     found = morph(tmp_path, dish, egg, ICON)
     first = scene(found).scenes[0]
     assert [item.closed for item in first.items] == [True, False]
+
+
+WHOLE = '<path d="M5 12h-2l9-9 9 9h-2"/><path d="M5 12v7a2 2 0 0 0 2 2h10a2 2 0 0 0 2-2v-7"/>'
+BADGED = (
+    '<path d="M21 12l-9-9-9 9h2v7a2 2 0 0 0 2 2h6"/>'
+    '<path d="M19 22l3.4-3.3a2.2 2.2 0 0 0-3.4-2.7 2.2 2.2 0 0 0-3.3 2.7z"/>'
+)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_what_lines_have_in_common_stands_still_however_they_are_put_together(
+    tmp_path: Path, backwards: bool
+) -> None:
+    """A house is a roof and walls; with a heart beside it, a roof with one wall in one line."""
+    ends = (BADGED, WHOLE) if backwards else (WHOLE, BADGED)
+    found = morph(tmp_path, *ends, ICON)
+    assert not any(notice.kind == "exchanged" for notice in found.notices)
+    common = [(11, 21), (7, 21), (5, 19), (5, 12), (3, 12), (12, 3), (20, 11)]
+    common_line = shapely.LineString(common).buffer(0.3)
+    for t in TIMES:
+        (frame,) = found.prepared.movement.at(np.array([t]))
+        assert drawn(frame).buffer(0.3).contains(common_line)
+
+
+def test_a_letter_that_opens_is_not_broken(tmp_path: Path) -> None:
+    """Its foot is where it was, but what is left of either is nowhere in the other drawing."""
+    shut, opened = '<path d="M3 6h18v12H3z"/>', '<path d="M3 9v9h18V9l-9-6z"/>'
+    flap = '<path d="M5 12l7 4 7-4"/>'
+    found = morph(tmp_path, shut + flap, opened + flap, ICON)
+    assert not any(item.cut for side in scene(found).scenes for item in side.items)
+
+
+def test_what_is_cut_out_of_a_line_becomes_nothing_else(tmp_path: Path) -> None:
+    """The corner of a table makes room for an x; it is no stroke of that."""
+    table = '<path d="M3 5a2 2 0 0 1 2-2h14a2 2 0 0 1 2 2v14a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2z"/>'
+    crossed = (
+        '<path d="M13 21H5a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2h14a2 2 0 0 1 2 2v8"/>'
+        '<path d="M22 22l-5-5"/><path d="M17 22l5-5"/>'
+    )
+    found = morph(tmp_path, table, crossed, ICON)
+    assert len(scene(found).roles.pairs) == 1
+
+
+def test_a_large_rest_of_a_line_is_a_thing_by_itself(tmp_path: Path) -> None:
+    """A folder's divider is where its front's edge is; the front is what was left of it."""
+    shut = '<path d="M3 20V4h6l3 3h9v13z"/><path d="M3 10h18"/>'
+    opened = (
+        '<path d="M4 10V4h6l3 3h7v3"/><path d="M21 12l-1 8H4l-1-8a2 2 0 0 1 1-2h16a2 2 0 0 1 1 2"/>'
+    )
+    found = morph(tmp_path, shut, opened, ICON)
+    (a, b), roles = scene(found).scenes, scene(found).roles
+    assert max((a.items[k].size / a.scale for k in roles.disappearing), default=0.0) < 0.5
+    assert max((b.items[k].size / b.scale for k in roles.appearing), default=0.0) < 0.5

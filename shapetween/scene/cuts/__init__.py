@@ -9,7 +9,7 @@ from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import divided_areas
 from shapetween.scene.cuts.closing import closed_lines
 from shapetween.scene.cuts.division import Found
-from shapetween.scene.cuts.lines import shared_lines
+from shapetween.scene.cuts.lines import parted_lines, shared_lines
 from shapetween.scene.cuts.rings import divided_rings
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene, perceive
@@ -19,7 +19,7 @@ __all__ = ["Cut", "cut_alike_items"]
 Cutting: TypeAlias = Callable[[Scene, Scene, Sequence[Group]], Found]
 """From a scene whose items are cut, one whose items they become, and what the user asks for."""
 
-CUTS: tuple[Cutting, ...] = (closed_lines, shared_lines, divided_areas, divided_rings)
+CUTS: tuple[Cutting, ...] = (closed_lines, parted_lines, shared_lines, divided_areas, divided_rings)
 """All ways, in order."""
 
 

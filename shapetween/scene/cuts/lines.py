@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.base.arrays import Points
+from shapetween.base.arrays import Floats, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
@@ -15,7 +15,7 @@ from shapetween.scene.motion.knots import kinks_of
 from shapetween.scene.places import Places, run_of
 from shapetween.scene.relations import Scene
 
-__all__ = ["opaque", "shared_lines"]
+__all__ = ["opaque", "parted_lines", "shared_lines"]
 
 #: Distance of a line from the one that it lies on, as a share of the drawing, and difference of
 #: their lengths there.
@@ -28,6 +28,15 @@ SHARED, AT_CORNERS = 0.3, 0.12
 
 #: Share of a line that a rest next to a piece takes and is left to it.
 REST = 0.02
+
+#: Least length, as a share of the drawing, of what two lines have in common, how near they are
+#: there, and samples by which that is found. Shorter, and lines that cross break; wider, and a lid
+#: is cut from its box.
+LONG, NEARLY_ON, FINE = 0.3, 0.008, 129
+
+#: Least share of one of two such lines that lies on the other drawing's lines. Smaller, and a
+#: folder breaks that opens; at 1 a wall that is cut short by a heart is none.
+THERE = 0.85
 
 #: Samples of a line that lie on the other.
 SAMPLED = 33
@@ -72,6 +81,96 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     return found
 
 
+def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
+    """Lines of a scene that lie on another one's for a while, cut where they part from it."""
+    kept = {k for one, _ in groups for k in one}
+    scale = (whole.scale + parts.scale) / 2
+    found: Found = {}
+    there = _share_there(whole, parts, scale), _share_there(parts, whole, scale)
+    if not max(there[0].max(), there[1].max()) > THERE:
+        return found
+    for k, item in enumerate(whole.items):
+        if item.filled or item.shape in kept or not opaque(item) or item.length < LONG * scale:
+            continue
+        places = Places(item.outer)
+        spans = []
+        for j, line in enumerate(parts.items):
+            if line.filled or not opaque(line) or not _painted_alike(line, item):
+                continue
+            if max(there[0][k], there[1][j]) <= THERE:
+                continue
+            span = _common_run(places, Places(line.outer), scale)
+            if span is not None:
+                spans.append((*span, j))
+        spans = _apart(sorted(spans), item.closed)
+        if spans:
+            pieces = [
+                piece_of(item, run_of(places, start, end))
+                for start, end, _ in _with_rests(spans, item.closed)
+            ]
+            if len(pieces) > 1 or item.closed:
+                found[k] = Division(pieces, [])
+    return found
+
+
+def _share_there(scene: Scene, other: Scene, scale: float) -> Floats:
+    """Share of each line that lies on another drawing's lines, (N,); 0 of areas."""
+    import shapely
+
+    lines = [item for item in other.items if not item.filled]
+    if not lines:
+        return np.zeros(len(scene.items))
+    near = shapely.union_all([shapely.LineString(item.chords) for item in lines])
+    near = near.buffer(NEARLY_ON * scale)
+    shapely.prepare(near)
+    return np.array(
+        [
+            0.0 if item.filled else float(shapely.contains_xy(near, *item.points.T).mean())
+            for item in scene.items
+        ]
+    )
+
+
+def _common_run(places: Places, line: Places, scale: float) -> tuple[float, float] | None:
+    """Where a line lies on another one for the longest while and then leaves it; None if nowhere.
+
+    Neither lies on the other one all along.
+    """
+    closed = line.outline.closed
+    own = np.linspace(0.0, 1.0, FINE, endpoint=not closed)
+    shares = places.nearest(line.point(own))
+    on = np.linalg.norm(places.point(shares) - line.point(own), axis=1) < NEARLY_ON * scale
+    if on.all() or not on.any():
+        return None
+    if closed:  # it begins where it is off the other one
+        first = int(np.flatnonzero(~on)[0])
+        on, shares = np.roll(on, -first), np.roll(shares, -first)
+    steps = np.diff(shares)
+    if places.outline.closed:
+        steps = (steps + 0.5) % 1.0 - 0.5
+    even = np.abs(steps) * places.length * (FINE - 1) / line.length
+    ahead = np.sign(steps) * (np.abs(even - 1) < LENGTH) * (on[1:] & on[:-1])
+    runs = np.split(np.arange(len(ahead)), np.flatnonzero(np.diff(ahead)) + 1)
+    runs = [run for run in runs if ahead[run[0]] != 0]
+    if not runs:
+        return None
+    best = max(runs, key=lambda run: (len(run), -run[0]))
+    length = float(np.abs(steps[best]).sum())
+    if length * places.length < LONG * scale or length > 1 - REST:
+        return None
+    start, end = float(shares[best[0]]), float(shares[best[0]] + steps[best].sum())
+    low = min(start, end)
+    return low - np.floor(low), low - np.floor(low) + length
+
+
+def _painted_alike(line: Item, item: Item) -> bool:
+    """Whether two lines are of one weight and colour."""
+    return bool(
+        abs(line.width - item.width) <= 0.2 * item.width
+        and (np.abs(line.colour - item.colour) <= 0.05).all()
+    )
+
+
 def opaque(item: Item) -> bool:
     """Whether an item is seen as a plain stroke that hides what is behind it."""
     stroke = item.style.stroke
@@ -85,9 +184,7 @@ def _near(line: Item, item: Item, scale: float) -> bool:
     """Whether a line is painted like another one, no longer and within its box."""
     if line.length > (1 + LENGTH) * item.length:
         return False
-    if abs(line.width - item.width) > 0.2 * item.width:
-        return False
-    if (np.abs(line.colour - item.colour) > 0.05).any():
+    if not _painted_alike(line, item):
         return False
     low, high = item.box - ON * scale, item.box + ON * scale
     return not ((line.box[0] < low[0]).any() or (line.box[1] > high[1]).any())
