@@ -166,3 +166,14 @@ def test_a_page_does_not_melt_into_hands_but_an_even_opening_becomes_another() -
     chevron = ring([(20, 20), (50, 40), (80, 20), (80, 30), (50, 50), (20, 30)])
     kite = ring([(50, 12), (80, 40), (50, 70), (20, 40)])
     assert len(becomes(plate(chevron), plate(kite))) == 1
+
+
+def test_a_bar_that_comes_stays_level_in_a_bubble_whose_tail_changes_sides() -> None:
+    bubble = ring([(0, 0), (100, 0), (100, 80), (20, 80), (0, 100)])
+    other = ring([(0, 0), (100, 0), (100, 100), (80, 80), (0, 80)])
+    bar = ring([(20, 30), (80, 30), (80, 40), (20, 40)])
+    first, second = Item((bubble,), INK), Item((other, bar), INK)
+    outer = Blend(Pieces(bubble.curves, other.curves, True), np.zeros((2, 2)))
+    (track,) = hole_tracks(first, second, outer)
+    for curves in track.curves(np.array([0.6, 0.8, 1.0])):
+        assert np.unique(np.round(curves[:, 0, 1], 6)).size == 2

@@ -86,7 +86,8 @@ def hole_tracks(
         for s, own in enumerate(holes)
     ]
     tracks: list[CurveTrack] = list(moved.values())
-    for side, (own, matrix) in enumerate(zip(holes, (forth, back), strict=True)):
+    alone = (forth, back) if outer.turn else _upright(outer)
+    for side, (own, matrix) in enumerate(zip(holes, alone, strict=True)):
         for k in lone[side]:
             there = mapped(own[k].outer.curves, matrix)
             ends = (there, own[k].outer.curves) if side else (own[k].outer.curves, there)
@@ -210,6 +211,23 @@ def _affine(source: Points, target: Points) -> Affine:
     middle = one.mean(axis=0)
     found = np.linalg.lstsq(one - middle, other - other.mean(axis=0), rcond=1e-9)[0].T
     return np.column_stack([found, other.mean(axis=0) - found @ middle])
+
+
+def _upright(outer: Blend) -> tuple[Affine, Affine]:
+    """The maps that take the box of a ring to that of the other one, and back.
+
+    What lies in a ring that does not turn stays upright: bars in a bubble whose tail changes sides
+    would slant by the map that fits its outline best.
+    """
+    boxes = [
+        (points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-300))
+        for points in (outer.pieces.source.reshape(-1, 2), outer.pieces.target.reshape(-1, 2))
+    ]
+    maps = []
+    for (low, size), (there, grown) in (boxes, boxes[::-1]):
+        scale = grown / size
+        maps.append(np.column_stack([np.diag(scale), there - scale * low]))
+    return maps[0], maps[1]
 
 
 def _pairs(
