@@ -588,3 +588,14 @@ def test_mirror_images_of_pieces_are_mates_and_move_as_such() -> None:
     assert axis.mate(ear, [replace(other, comes=False)]) is None
     assert axis.of_way(np.array([0.6, 0.8])).tolist() == [-0.6, 0.8]
     assert axis.along(np.array([0.6, 0.8])).tolist() == [0.0, 0.8]
+
+
+def test_what_lies_in_a_hole_that_closes_is_not_run_over_by_its_border() -> None:
+    page = shapely.box(16, 40, 84, 84)
+    day = shapely.box(58, 60, 82, 82)
+    first = shapely.box(10, 10, 90, 90).difference(page).union(day)
+    hands = shapely.Polygon([(47, 20), (53, 20), (53, 48), (70, 58), (66, 64), (47, 52)])
+    second = shapely.Point(50, 50).buffer(42, quad_segs=4).difference(hands)
+    for area in frames(path(first), path(second), np.linspace(0, 0.45, 10)):
+        for hole in shapely.get_parts(area)[0].interiors:
+            assert shapely.Polygon(hole).area > 0.9 * shapely.Polygon(hole).convex_hull.area

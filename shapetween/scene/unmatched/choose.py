@@ -28,6 +28,7 @@ from shapetween.scene.unmatched.clusters import (
 from shapetween.scene.unmatched.encircling import encircling_going
 from shapetween.scene.unmatched.gaps import timed_gaps
 from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside, within_reach
+from shapetween.scene.unmatched.openings import gone_with_hole
 from shapetween.scene.unmatched.presence import Leaving
 from shapetween.scene.unmatched.retracting import first_end, gap_going, retracted_lines
 
@@ -194,6 +195,9 @@ def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
     round_it = encircling_going(members, side)
     if round_it is not None:
         return {members[0]: round_it}
+    inside = gone_with_hole(members, side)
+    if inside is not None:
+        return inside
     place, anchor, how = _shrinks_to(cluster, side)
     leaving = Leaving(side.window, place, least=_least(members, side.scene))
     return {k: Going(leaving, side.carry(anchor, place, how)) for k in members}
