@@ -8,15 +8,17 @@ over that of the cost.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
+from shapetween.geometry.circlemap import wrapped
 from shapetween.match.costs import Prepared
 
-__all__ = ["MIN_TURN", "Frame", "Standing", "handicap", "standing"]
+__all__ = ["Frame", "Standing", "handicap", "standing", "worth_trying"]
 
-#: Least angle, radians, between the upright frame and one worth trying beside it.
+#: Least angle, radians, between two frames that are both worth trying.
 MIN_TURN = 0.25
 
 #: Logarithm of what a turned frame's cost is multiplied by. Lower turns trees upside down; higher
@@ -49,6 +51,11 @@ ROLLING, ROUND_FROM, ROUND_TO = 0.8, 0.7, 0.8
 #: spoon upside down to become a screwdriver; more leaves upright even an arrow that becomes one the
 #: other way.
 STANDING = 1.05
+
+#: For symmetric outlines that the turned frame alone lays axis onto axis. None leaves a paint brush
+#: that leans upright, its tip on one side of a broad one; much more turns an L, which is even about
+#: its diagonal.
+ONTO = 0.26
 
 #: Angle between their long axes, times how slender they are, from which on they do not stand alike,
 #: whatever axes they have: one is upright and the other lies. More leaves a battery upright that
@@ -91,6 +98,16 @@ class Frame:
     unlike: float
 
 
+def worth_trying(turns: Iterable[float]) -> list[float]:
+    """Those of some angles that are frames of their own beside the upright one and each other."""
+    kept: list[float] = []
+    for turn in turns:
+        away = np.abs(wrapped((turn - np.array([0.0, *kept])) / (2 * np.pi))) * 2 * np.pi
+        if (away >= MIN_TURN).all():
+            kept.append(turn)
+    return kept
+
+
 def standing(prepared: Prepared) -> Standing:
     """How an outline lies, by its samples."""
     z = prepared.samples.points @ [1, 1j]
@@ -102,7 +119,13 @@ def standing(prepared: Prepared) -> Standing:
 
 
 def handicap(
-    upright: Frame, turned: Frame, a: Standing, b: Standing, *, stand: bool, plain: float
+    upright: Frame,
+    turned: Frame,
+    a: Standing,
+    b: Standing,
+    *,
+    even: tuple[bool, bool],
+    plain: float,
 ) -> float:
     """What the costs of a turned frame's matchings are multiplied by.
 
@@ -111,8 +134,9 @@ def handicap(
     upright, turned : Frame
     a, b : Standing
         Of the two outlines.
-    stand : bool
-        Whether both are symmetric about axes that point the same way as drawn.
+    even : (bool, bool)
+        Whether both are symmetric about axes that point the same way as drawn, and so in the turned
+        frame.
     plain : float
         How plainly the two are the same but for the turn, from 0 to 1. Then it counts no more that
         things stand upright.
@@ -126,8 +150,10 @@ def handicap(
     weight = TURNED + ALIKE * alike - ALONG * slender * nearer
     weight += ROLLING * rolling
     upright_weight = OVER * over
-    if stand and slender * apart < ASKEW:
+    if even[0] and slender * apart < ASKEW:
         upright_weight = STANDING - weight
+    elif even[1] and not even[0]:
+        weight -= ONTO
     return float(np.exp(weight + (1 - plain) * upright_weight))
 
 

@@ -25,9 +25,11 @@ from shapetween.match.costs import (
 )
 from shapetween.match.dynamic import Paths, cyclic_paths, cyclic_prices, rolled_paths
 from shapetween.match.even import even_matchings, refined_even
-from shapetween.match.frames import MIN_TURN, Frame, handicap, standing
+from shapetween.match.frames import Frame, handicap, standing, worth_trying
 from shapetween.match.layout import Layout, layout_of
+from shapetween.match.pins import pull_of
 from shapetween.match.scale import BAND, FINE_SAMPLES, MATCH_SAMPLES, VERTEX_REWARD, rounded
+from shapetween.match.symmetry import turns_onto
 
 __all__ = ["best_matching", "best_matchings", "upright_matching_cost"]
 
@@ -58,10 +60,6 @@ BOTH_WAYS = 1.02
 
 #: Places at which a matching's unlikeness is read.
 MEAN_PLACES = 128
-
-#: How far along the outline a pin is felt, as a share of the length: about half a limb. There the
-#: look of the limb itself counts, not where it is.
-PIN_REACH = 0.12
 
 
 def best_matching(a: Prepared, b: Prepared, pins: Floats) -> Correspondence:
@@ -196,13 +194,15 @@ class _Comparison:
         """Candidates of all frames."""
         unlike = self._unlike()
         upright = self._found(0.0, unlike, forced)
-        turn = self._turn(unlike)
-        if abs(turn) < MIN_TURN:
+        tried = [self._found(turn, unlike, forced) for turn in self._turns(unlike, upright)]
+        if not tried:
             return upright.entries
-        turned = self._found(turn, unlike, forced)
-        factor = self._factor(upright, turned)
-        found = upright.entries + turned.weighed(factor)
-        if factor * turned.best.cost < upright.best.cost:
+        factors = [self._factor(upright, turned) for turned in tried]
+        costs = [factor * turned.best.cost for factor, turned in zip(factors, tried, strict=True)]
+        best = int(np.argmin(costs))
+        turn, factor = tried[best].frame.turn, factors[best]
+        found = upright.entries + tried[best].weighed(factor)
+        if costs[best] < upright.best.cost:
             # What is much the same both ways round is laid that way which turns it less.
             about = turn - np.copysign(np.pi, turn)
             factor *= 1 / BOTH_WAYS if abs(about) < abs(turn) else BOTH_WAYS
@@ -228,12 +228,13 @@ class _Comparison:
     def _factor(self, upright: _Found, turned: _Found) -> float:
         """What the costs of a turned frame are weighed by against those as drawn."""
         frames = upright.frame, turned.frame, standing(self.a), standing(self.b)
-        most, least = (handicap(*frames, stand=upright.even, plain=plain) for plain in (0.0, 1.0))
+        even = upright.even, turned.even
+        most, least = (handicap(*frames, even=even, plain=plain) for plain in (0.0, 1.0))
         cost = turned.best.cost
         if not least * cost < upright.best.cost <= most * cost:
             return most
         alike = (self._bends_alike(found.best) for found in (turned, upright))
-        return handicap(*frames, stand=upright.even, plain=plainly_the_same(*alike))
+        return handicap(*frames, even=even, plain=plainly_the_same(*alike))
 
     def _bends_alike(self, entry: _Ranked) -> float:
         return bends_alike(self.a, self.b, self._refined(entry.candidate, entry.rewards))
@@ -245,6 +246,13 @@ class _Comparison:
             sample_features(self.b, self.layout.b),
         )
         return rounded(intrinsic_cost(first, second, self.cells))
+
+    def _turns(self, unlike: Floats, upright: _Found) -> list[float]:
+        """Angles of the frames worth trying beside the upright one."""
+        turns = [self._turn(unlike)]
+        if not upright.even and self.a.axes.even and self.b.axes.even:
+            turns += turns_onto(self.a.axes, self.b.axes)
+        return worth_trying(turns)
 
     def _turn(self, unlike: Floats) -> float:
         """The angle by which the first is turned where they match best whatever their angle."""
@@ -342,7 +350,7 @@ class _Comparison:
         first, second = sample_features(self.a, layout.a), sample_features(self.b, layout.b)
         cost = upright_cost(upright_features(first.turned(angle)), upright_features(second), cells)
         if len(self.pins):
-            weight, residual = _pull(layout, self.pins, cells)
+            weight, residual = pull_of(layout, self.pins, cells)
             pulled = (intrinsic_cost(first, second, cells) + residual) / 2
             cost = weight * pulled + (1 - weight) * cost
         return rounded(cost)
@@ -353,23 +361,6 @@ def _tips(prepared: Prepared) -> Index:
     vertices = prepared.vertices
     order = np.argsort(-np.round(vertices.weight, 9), kind="stable")
     return order[vertices.convex[order]][:FORCED_TIPS]
-
-
-def _pull(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:
-    """Weight of the nearest pin for each pair of samples, and the pair's residual from it.
-
-    Both from 0 to 1. The residual is by how much the samples are not equally far along both
-    outlines from the pin.
-    """
-    a, b = layout.a[:, None] - pins[:, 0], layout.b[:, None] - pins[:, 1]
-    a, b = (a - np.round(a)) / PIN_REACH, (b - np.round(b)) / PIN_REACH
-    near = np.maximum(1 - np.minimum(np.abs(a)[cells[0]], np.abs(b)[cells[1]]), 0.0)
-    residual = np.minimum(np.abs(a[cells[0]] - b[cells[1]]), 1.0)
-    strongest = near.argmax(axis=-1)[..., None]
-    return (
-        np.take_along_axis(near, strongest, axis=-1)[..., 0],
-        np.take_along_axis(residual, strongest, axis=-1)[..., 0],
-    )
 
 
 def _vertex_rewards(a: Prepared, b: Prepared, angle: float) -> Floats:

@@ -4,10 +4,12 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Points, frozen
 from shapetween.base.errors import OptionError
+from shapetween.match.costs import Cells
+from shapetween.match.layout import Layout
 from shapetween.model.arclength import arc_length
 from shapetween.model.outline import Outline
 
-__all__ = ["REACH", "pinned_places", "places_in_order"]
+__all__ = ["REACH", "pinned_places", "places_in_order", "pull_of"]
 
 #: Farthest a pin may lie from its outline, as a share of the outline's diagonal: a click beside
 #: the line is meant, one elsewhere is a mistake.
@@ -15,6 +17,10 @@ REACH = 0.05
 
 #: Pins nearer than this along an outline, as a share of its length, are on one spot.
 SAME_PLACE = 1e-6
+
+#: How far along the outline a pin is felt, as a share of the length: about half a limb. There the
+#: look of the limb itself counts, not where it is.
+PIN_REACH = 0.12
 
 
 def pinned_places(source: Outline, target: Outline, pins: Points | None) -> Floats:
@@ -96,3 +102,20 @@ def _in_order(places: Floats) -> bool:
 def _named(pin: Floats) -> str:
     first, second = np.split(pin, 2)
     return ":".join(",".join(f"{x:g}" for x in half) for half in (first, second))
+
+
+def pull_of(layout: Layout, pins: Floats, cells: Cells) -> tuple[Floats, Floats]:
+    """Weight of the nearest pin for each pair of samples, and the pair's residual from it.
+
+    Both from 0 to 1. The residual is by how much the samples are not equally far along both
+    outlines from the pin.
+    """
+    a, b = layout.a[:, None] - pins[:, 0], layout.b[:, None] - pins[:, 1]
+    a, b = (a - np.round(a)) / PIN_REACH, (b - np.round(b)) / PIN_REACH
+    near = np.maximum(1 - np.minimum(np.abs(a)[cells[0]], np.abs(b)[cells[1]]), 0.0)
+    residual = np.minimum(np.abs(a[cells[0]] - b[cells[1]]), 1.0)
+    strongest = near.argmax(axis=-1)[..., None]
+    return (
+        np.take_along_axis(near, strongest, axis=-1)[..., 0],
+        np.take_along_axis(residual, strongest, axis=-1)[..., 0],
+    )

@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
 
-__all__ = ["Axes", "aligned_ends", "mirror_axes"]
+__all__ = ["Axes", "aligned_ends", "mirror_axes", "turns_onto"]
 
 #: Deviation from its mirror image, a mean of squares, as a share of that about any line, up to
 #: which an outline is symmetric, or meant to be but for a fold or a lock of hair. Larger takes a
@@ -39,6 +39,9 @@ ALIGNED = 0.02
 #: Axes of the outline that has fewer that are tried. Regular shapes have as many as corners, and
 #: few of them are upright.
 MOST_AXES = 4
+
+#: Ends of an axis, from either of which it is given.
+AXIS_ENDS = 2
 
 #: Step to which the ends of an axis are rounded, as a share of the length. They come from small
 #: differences of sums, with 1e-10 of noise. Larger, and mirror images are off by what can be seen;
@@ -180,6 +183,18 @@ def aligned_ends(a: Axes, b: Axes, angle: float) -> list[Floats]:
         if not any(_same(ends, other) for other in found):
             found.append(ends)
     return found
+
+
+def turns_onto(a: Axes, b: Axes) -> list[float]:
+    """Angles that lay the axis of one outline onto the other's, where each has just one.
+
+    Of several axes some always point nearly the same way.
+    """
+    a, b = a.beside(b), b.beside(a)
+    if len(a.directions) != AXIS_ENDS or len(b.directions) != AXIS_ENDS:
+        return []
+    turns = b.directions - a.directions[0]
+    return sorted(((turns + np.pi) % (2 * np.pi) - np.pi).tolist(), key=abs)
 
 
 def _nearest(turn: Floats) -> Index:

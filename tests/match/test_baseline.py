@@ -149,7 +149,7 @@ def test_what_turned_frames_have_to_be_better_by_is_known() -> None:
             for unlike, stand in ((0.03, False), (0.17, True), (0.5, True)):
                 sides = Standing(slender, 0.3, roundness), Standing(slender, 1.6, roundness)
                 frames = Frame(0.0, 0.4 * unlike), Frame(turn, unlike)
-                figures.append(handicap(*frames, *sides, stand=stand, plain=0.3))
+                figures.append(handicap(*frames, *sides, even=(stand, stand), plain=0.3))
     assert_known("match", "frames", figures)
 
 

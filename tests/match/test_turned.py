@@ -58,7 +58,7 @@ def test_what_is_plainly_the_same_need_not_stand() -> None:
     upright, turned = Frame(0.0, 0.5), Frame(2.9, 0.3)
     a, b = Standing(0.5, 1.5, 0.4), Standing(0.6, 1.4, 0.5)
     plain, half, other = (
-        [handicap(upright, turned, a, b, stand=stand, plain=p) for stand in (False, True)]
+        [handicap(upright, turned, a, b, even=(stand, stand), plain=p) for stand in (False, True)]
         for p in (1.0, 0.5, 0.0)
     )
     assert plain[0] == plain[1] < 1.3
