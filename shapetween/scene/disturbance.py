@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from shapetween.base.arrays import Index
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["holes_apart", "intricacy", "waviest", "waviness"]
+__all__ = ["holes_apart", "intricacy", "recoloured", "waviest", "waviness"]
 
 #: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
 #: more than what they are on; larger, and the limbs of an animal are not seen.
@@ -34,6 +35,10 @@ MANY_HOLES, HOLED = 2, 0.42
 #: Turning beyond both ends that counts at most. Larger, and a limb that swings outweighs all else;
 #: smaller, and what tears counts as what bulges.
 MOST_WAVES = 0.2
+
+#: Sum of differences by which colours of pairs differ in the mean from which on they change.
+#: Smaller, and a shade darker is a change; larger, and a grey rabbit is a brown bear at once.
+RECOLOURED = 0.12
 
 #: Times at which that is looked at, the ends first and last. Fewer about the middle, and what is a
 #: lump for a moment passes.
@@ -104,6 +109,15 @@ def waviest(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[Curv
     """The pair whose outline turns most beyond its ends."""
     found = waviness(a, b, roles, tracks)
     return max(found, key=lambda k: (round(found[k], 9), -k))
+
+
+def recoloured(a: Scene, b: Scene, firsts: Index, seconds: Index) -> bool:
+    """Whether pairs change their colours in the mean, by size."""
+    if not len(firsts):
+        return False
+    weights = np.minimum(a.sizes[firsts] / a.scale, b.sizes[seconds] / b.scale)
+    apart = np.abs(a.colours[firsts] - b.colours[seconds]).sum(axis=1)
+    return bool(np.round(np.average(apart, weights=weights), 6) > RECOLOURED)
 
 
 def _seen(a: Scene, b: Scene, roles: Roles) -> Iterator[tuple[Role, float]]:

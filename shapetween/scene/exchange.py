@@ -13,7 +13,7 @@ from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
-from shapetween.scene.disturbance import holes_apart, intricacy, waviness
+from shapetween.scene.disturbance import holes_apart, intricacy, recoloured, waviness
 from shapetween.scene.doubtful import CONVEX, filling, nothing_corresponds, share_of_hull
 from shapetween.scene.forms import RoundedBox, Segment
 from shapetween.scene.items import Item
@@ -54,6 +54,11 @@ EXCHANGED_LINES = 0.6
 #: Larger, and a disk's border alone moves on to be part of a crossed out letter; smaller, and an
 #: arrow leaves because its tray becomes a cloud.
 LEFT = 0.45
+
+#: The same of drawings whose pairs change their colours, between which mud is seen. Of 16 such
+#: pairs between both values that moved, 1 was ready. Smaller, and a red apple leaves for a green
+#: pear to come; larger, and a snail is mud before it is a turtle.
+EXCHANGED_COLOURED = 0.52
 
 #: What counts, beside how little drawings have in common, of a turn that outlines of what changes
 #: have, of one that is on the way alone, and of holes that have no counterparts: of 13 pairs with
@@ -162,7 +167,8 @@ def too_different(
     if tracks is not None:
         against += WAVY * max(waviness(a, b, roles, tracks).values(), default=0.0)
     lines = _in_lines(a, b)
-    least = most or (EXCHANGED_LINES if lines else EXCHANGED)
+    plain = EXCHANGED_COLOURED if recoloured(a, b, firsts, seconds) else EXCHANGED
+    least = most or (EXCHANGED_LINES if lines else plain)
     if paired and min(counts) == 1:
         i, j, _ = _main_pair(a, b, firsts, seconds)
         forms = a.forms[i], b.forms[j]

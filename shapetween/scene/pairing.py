@@ -13,6 +13,7 @@ from shapetween.scene.assign import Roles, assign
 from shapetween.scene.cuts import Cut, cut_alike_items
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
+from shapetween.scene.letters import other_letters
 from shapetween.scene.likeness import scaled_groups
 from shapetween.scene.motion.pinned import pinned_items
 from shapetween.scene.motion.tracks import Frame
@@ -94,6 +95,7 @@ def pair_items(
         pinned = pinned_items(asked.pins, a, b)
         fixed += [pair for pair in pinned.values() if pair not in fixed]
         fixed += [pair for pair in cut.given if not barred[pair]]
+        barred |= other_letters(a, b)
         if not fixed and not barred.any() and frame is None:
             fixed = lines_that_slide(a, b) or moved
         roles = assign(a, b, fixed, barred, asked.price)

@@ -272,11 +272,11 @@ def wheel(middle: float, count: int, deep: float, tilt: float = 0.0) -> str:
 
 
 def toothed(count: int, deep: float, more: str) -> str:
-    return f'<path d="{wheel(50, count, deep)}" fill="#c40"/>{more}'
+    return f'<path d="{wheel(50, count, deep)}" fill="#04c"/>{more}'
 
 
 EARS = '<path d="M2 2h46v46z" fill="#04c"/><path d="M98 2h-46v46z" fill="#04c"/>'
-FEET = '<path d="M2 98h46v-46h-46z" fill="#0a4"/><path d="M76 98a22 22 0 1 0-1 0z"/>'
+FEET = '<path d="M2 98h46v-46h-46z" fill="#04c"/><path d="M76 98a22 22 0 1 0-1 0z" fill="#04c"/>'
 
 
 def test_intricate_bodies_are_exchanged_where_plain_ones_move(tmp_path: Path) -> None:
@@ -326,7 +326,7 @@ def test_what_gets_wavy_on_its_way_is_exchanged(
     assert too_different(a, b, roles, behind, tracks) == exchanged
 
 
-WALL = '<path d="M10 {y}h80v{h}h-80z{holes}" fill="#345"/><path d="M{x} 4h20v10z" fill="#c33"/>'
+WALL = '<path d="M10 {y}h80v{h}h-80z{holes}" fill="#234"/><path d="M{x} 4h20v10z" fill="#234"/>'
 WINDOWS = "M20 {0}v12h12v-12zM66 {0}v12h12v-12z"
 
 
@@ -338,8 +338,8 @@ def test_an_area_with_several_holes_is_exchanged_for_an_unlike_one(
 ) -> None:
     house = WALL.format(y=20, h=60, x=10, holes=holes.format(30))
     cart = (
-        '<path d="M4 22L96 20L50 92zM36 30L64 30L50 60z" fill="#345"/>'
-        '<path d="M70 90h10v8z" fill="#c33"/><circle cx="20" cy="88" r="10"/>'
+        '<path d="M4 22L96 20L50 92zM36 30L64 30L50 60z" fill="#234"/>'
+        '<path d="M70 90h10v8z" fill="#234"/><circle cx="20" cy="88" r="10" fill="#234"/>'
     )
     assert is_exchanged(made(tmp_path, house, cart)) == exchanged
 
@@ -456,3 +456,20 @@ def test_one_pair_that_tears_is_given_up_for_the_rest_to_move(tmp_path: Path) ->
     ]
     assert set(seen) == {(True, True), (True, False), (False, True)}
     assert seen.count((True, True)) == 2
+
+
+@pytest.mark.parametrize(("paint", "exchanged"), [("#c40", False), ("#d41", False), ("#08a", True)])
+def test_drawings_that_change_colour_are_exchanged_sooner(paint: str, exchanged: bool) -> None:
+    body = toothed(24, 0.2, EARS).replace("#04c", "#c40", 1)
+    other = toothed(3, 10, FEET).replace("#04c", "{0}", 1)
+    a, b, painted = (
+        perceive(
+            items_of(read_svg(text.encode(), "x").shapes, "x")[0], np.array([[0, 0], [99, 99]])
+        )
+        for text in (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{VIEW}">{inner}</svg>'
+            for inner in (body, other.format("#c40"), other.format(paint))
+        )
+    )
+    roles = assign(a, b)
+    assert too_different(a, painted, roles, behind_both(a, painted, roles)) == exchanged
