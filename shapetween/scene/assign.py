@@ -17,6 +17,7 @@ from shapetween.scene.costs import (
     same_things,
 )
 from shapetween.scene.evidence import Evidence, twins_cost
+from shapetween.scene.outlines import with_outlines
 from shapetween.scene.relations import Scene, colours_apart
 from shapetween.scene.sets import Ordered
 from shapetween.scene.torn import torn
@@ -158,6 +159,7 @@ def assign(
             break
     assert now is not None
     now = _both_or_neither(now, a, b, evidence, fixed)
+    now = with_outlines(now, a, b, costs)
     pairs = tuple(
         Role(int(i), int(j), float(cost), fixed.get((int(i), int(j)), "matched"))
         for i, j, cost in zip(now.first, now.second, now.costs, strict=True)
