@@ -16,6 +16,13 @@ CASES: dict[str, Pair] = {
         untangled(np.random.default_rng(1), 12), untangled(np.random.default_rng(4), 15), 200
     ),
     "random and star": matched(untangled(np.random.default_rng(7), 20), star(6, 0.6), 300, 0.2),
+    "a long spiral and a disc": matched(spiral(3), regular(40), 512),
+    "a spiral and a slender star": matched(spiral(4), star(9, 0.2), 600, 0.3),
+    "a star of many tips": matched(star(40, 0.1), regular(9), 512),
+    "many teeth and many tips": matched(comb(12), star(30, 0.2), 600, 0.3),
+    "random and random, of many corners": matched(
+        untangled(np.random.default_rng(5), 45), untangled(np.random.default_rng(6), 50), 512, 0.2
+    ),
 }
 
 
