@@ -16,7 +16,7 @@ from shapetween.scene.assign import Roles
 from shapetween.scene.items import Item
 from shapetween.scene.kept.shared_arcs import snapped
 from shapetween.scene.motion.bend_knots import along_knots
-from shapetween.scene.motion.tracks import Blend
+from shapetween.scene.motion.tracks import Blend, OfTrack, Shared
 from shapetween.scene.places import Pieces, Places, cut_alike, run_of
 from shapetween.scene.relations import Scene
 
@@ -160,7 +160,7 @@ def _plain(first: int, second: int, a: Scene, b: Scene) -> bool:
 
 
 def _turns(tracks: Sequence[CurveTrack]) -> bool:
-    own = [getattr(track, "track", track) for track in tracks]
+    own = [track.track if isinstance(track, OfTrack | Shared) else track for track in tracks]
     return any(isinstance(track, Blend) and abs(track.turn) > TURNS for track in own)
 
 
