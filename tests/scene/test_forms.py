@@ -20,6 +20,8 @@ from shapetween.scene.forms import (
     form_of,
 )
 from shapetween.scene.items import Item
+from shapetween.scene.motion.boxes import box_blend
+from shapetween.scene.places import Places
 from tests.drawings import line, ring
 
 
@@ -130,3 +132,17 @@ def test_a_box_that_leans_by_half_a_right_angle_leans_one_way(off: float, quarte
     assert isinstance(form, RoundedBox)
     assert form.angle == pytest.approx(np.pi / 4, abs=1e-6)
     np.testing.assert_allclose(form.sides, (9, 4) if quarters == 0 else (4, 9), atol=1e-6)
+
+
+@pytest.mark.parametrize(("sides", "turn"), [((20, 14), 0.0), ((18, 4), np.pi / 2)])
+def test_a_bar_turns_upright_and_a_screen_is_made_upright(
+    sides: tuple[float, float], turn: float
+) -> None:
+    """A screen that turned over to be that of a telephone would leave its foot."""
+    outlines = [rounded(*own, 1.0, 1.0) for own in (sides, sides[::-1])]
+    boxes = [
+        RoundedBox(np.zeros(2), np.array(own, dtype=float), 0.0, np.ones(2))
+        for own in (sides, sides[::-1])
+    ]
+    track = box_blend(boxes[0], boxes[1], *map(Places, outlines))
+    assert abs(track.turn) == pytest.approx(turn)

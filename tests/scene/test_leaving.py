@@ -297,6 +297,21 @@ def is_slash(shape: Shape) -> bool:
     return bool(np.ptp(points[:, 1]) > 0.5)
 
 
+def test_a_gap_opens_before_a_tick_is_drawn_in_it(tmp_path: Path) -> None:
+    """Only a slash cuts it open with its tip; a tick would be drawn over what is to go."""
+    ring = '<path d="M4 4h16v16h-16z"/>'
+    ticked = '<path d="M12 20H4V4h16v8"/><path d="M15 19l2 2 5-5"/>'
+    found = morph(tmp_path, ring, ticked, ICON)
+    (tick,) = lone(found, arrives=True)
+    gap = shapely.LineString([(15, 20), (20, 20), (20, 15)]).buffer(0.5)
+    others = [part for part in found.prepared.movement.parts if part is not tick]
+    for t in np.linspace(0, 1, 33).tolist():
+        if tick.style(t).opacity > 0 and np.ptp(box(tick, t), axis=0).max() > 2:
+            ways = [p.curves(np.array([t]))[0] for p in others if p.style(t).opacity > 0]
+            points = shapely.points(np.concatenate(ways)[:, 0])
+            assert not shapely.intersects(gap, points).any()
+
+
 def test_a_gap_opens_into_what_is_left_of_its_line(tmp_path: Path) -> None:
     """Of a lock's shackle the end goes up, and nothing stays on the body."""
     body = '<path d="M4 11h16v10h-16z"/>'

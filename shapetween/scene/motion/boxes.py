@@ -10,7 +10,7 @@ __all__ = ["HALF_TIE", "box_blend"]
 
 #: What turning a box by a right angle costs beside a factor e in its sides. Less, and a short bar
 #: that grows long in place turns over; more, and a bar does not turn upright.
-RIGHT_ANGLE = 0.7
+RIGHT_ANGLE = 1.0
 
 #: Turn that is a tie between both ways, radians: it goes clockwise.
 HALF_TIE = 1e-6

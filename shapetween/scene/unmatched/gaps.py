@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from shapetween.base.ends import End
+from shapetween.scene.forms import Segment
 from shapetween.scene.places import Places
 from shapetween.scene.unmatched.going import Going, Side
 from shapetween.scene.unmatched.presence import BOTH
@@ -55,10 +56,14 @@ def timed_gaps(
 
 
 def _with(k: int, going: Going, j: int, side: Side, other: Side, theirs: Going) -> Going:
-    """A gap that opens or closes with what comes or goes through it."""
+    """A gap that opens or closes with what comes or goes through it.
+
+    A tick that is drawn in it has no tip that cuts it open, and waits for it.
+    """
     item, line = side.scene.items[k], other.scene.items[j]
     leaving, kept = going.leaving, theirs.leaving.kept
-    if line.filled or kept is None or isinstance(kept, tuple):
+    slash = isinstance(other.scene.forms[j], Segment)
+    if line.filled or kept is None or isinstance(kept, tuple) or not slash:
         low, high = theirs.leaving.window
         if other.end is End.TARGET:
             window = low - SOONER, low - SOONER + TAKES
