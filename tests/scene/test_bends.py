@@ -144,3 +144,21 @@ def test_a_part_stays_symmetric_whatever_it_lies_in(pair: tuple[str, str]) -> No
     seen = shapely.Polygon(flatten((pieces.source + pieces.target) / 2, 64))
     image = shapely.transform(seen, lambda xy: xy * [-1, 1] + [100, 0])
     assert seen.symmetric_difference(image).area < 1e-6 * seen.area
+
+
+@pytest.mark.parametrize("first", ["M30 20L90 50L30 80Z", "M70 20L10 50L70 80Z"])
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_tip_on_the_axis_becomes_both_corners_of_a_bar(first: str, backwards: bool) -> None:
+    ends = first, "M40 10H60V90H40Z"
+    frames = moved(*(ends[::-1] if backwards else ends))
+    assert [corners(shape) for shape in frames[1:-1]] == [4] * 7
+
+
+def test_a_round_tip_on_the_axis_parts_into_round_corners() -> None:
+    source, target = places("M30 20L80 44Q90 50 80 56L30 80Z"), places("M40 10H60V90H40Z")
+    knots = even_knots(source, target)
+    assert knots is not None
+    pieces = cut_alike(source, target, *knots)
+    reached = pieces.target[(np.abs(pieces.source[:, 0, 0] - 80) < 1e-6)][:, 0]
+    assert np.abs(reached[:, 0] - 60).max() < 2
+    assert np.abs(np.abs(reached[:, 1] - 50) - 40).max() < 2

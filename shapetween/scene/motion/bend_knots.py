@@ -4,7 +4,7 @@ Between corners that become each other both outlines go evenly, so that straight
 and round ones round: what follows every small likeness of two outlines wobbles on the way.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -234,6 +234,7 @@ def _shifted(first: _Look, second: _Look) -> tuple[float, float]:
 def _through(first: _Run, second: _Run) -> tuple[Floats, Floats, float]:
     """The cheapest way through the corners of both, as knots, and what it costs."""
     if not first.ring:
+        first, second = _with_tips(first, second), _with_tips(second, first)
         for k in (0, -1):
             # The tip of a star does not grow out of the notch of a heart, nor a corner of a side.
             if first.turns[k] * second.turns[k] <= 0:
@@ -263,6 +264,30 @@ def _through(first: _Run, second: _Run) -> tuple[Floats, Floats, float]:
     # Knots that are one but for rounding are one.
     both = both[:, np.append(True, (np.diff(both, axis=1) > SAME).any(axis=0))]
     return both[0], both[1], cost
+
+
+def _with_tips(run: _Run, other: _Run) -> _Run:
+    """A part with the corner that is its end as a node of its own, where the other's end is none.
+
+    So the tip of a triangle, which lies on its axis, becomes both corners of a bar.
+    """
+    for k, beside, at in ((0, 1, 1), (-1, -2, len(run.starts) - 1)):
+        corner = len(other.starts) > 2 and run.turns[k] * other.turns[beside] > 0
+        if not corner or other.turns[k] != 0:
+            continue
+        place = run.starts[0] if k == 0 else run.ends[-1]
+        starts, ends = np.array(run.starts), np.array(run.ends)
+        turns = np.insert(run.turns, at, run.turns[k] / 2)
+        turns[k], starts[k], ends[k] = 0.0, place, place
+        run = replace(
+            run,
+            starts=np.insert(starts, at, run.starts[k]),
+            ends=np.insert(ends, at, run.ends[k]),
+            turns=turns,
+            seen=np.insert(run.seen, at, 0.0),
+            facing=np.insert(run.facing, at, -1),
+        )
+    return run
 
 
 def _plain_end(run: _Run, k: int) -> None:
