@@ -18,6 +18,7 @@ from shapetween.scene.doubtful import CONVEX, filling, nothing_corresponds, shar
 from shapetween.scene.forms import RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.likeness import goes_elsewhere
+from shapetween.scene.pairs import of_one_kind
 from shapetween.scene.relations import Scene, drawn_box, in_common, picture, pictures
 from shapetween.scene.torn import closes
 from shapetween.scene.unmatched.going import Going
@@ -160,7 +161,7 @@ def too_different(
         return False  # bars turn into whatever other bars are
     if paired and min(counts) == 1:
         i, j, _ = _main_pair(a, b, firsts, seconds)
-        if nothing_corresponds(a.items[i], b.items[j]):
+        if nothing_corresponds(*of_one_kind(a.items[i], b.items[j])):
             return True
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)

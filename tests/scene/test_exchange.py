@@ -473,3 +473,18 @@ def test_drawings_that_change_colour_are_exchanged_sooner(paint: str, exchanged:
     )
     roles = assign(a, b)
     assert too_different(a, painted, roles, behind_both(a, painted, roles)) == exchanged
+
+
+def test_a_bubble_drawn_in_lines_is_exchanged_for_an_area_as_its_area_would_be(
+    tmp_path: Path,
+) -> None:
+    bubble = "M20 74C8 50 16 18 50 14C84 18 92 50 74 76C60 88 44 88 34 84L10 92z"
+    line = f'<path d="{bubble}" fill="none" stroke="#000" stroke-width="8"/>'
+    inner = '<path d="M40 40l8 8-4 6 6 6 6-4 8 8-8 6C40 66 36 54 36 44z"/>'
+    blocks = (
+        '<path fill-rule="evenodd" d="M50 8L70 28L62 36L70 44L92 50L72 72L62 64L50 92L28 70L36 60'
+        'L8 52L30 30L38 38zM44 40v20l18-10z"/>'
+    )
+    assert is_exchanged(made(tmp_path, line + inner, blocks))
+    same = line.replace("L10 92z", "L14 90z")
+    assert not is_exchanged(made(tmp_path, line + inner, same))
