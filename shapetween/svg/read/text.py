@@ -9,6 +9,7 @@ import math
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -255,7 +256,7 @@ def _placed(glyphs: Sequence[_Set]) -> None:
 def _anchored(placed: Placed, glyphs: Sequence[_Set]) -> None:
     """Shift each chunk of text to its anchor, stretch it to its length, and set the glyphs."""
     starts = [k for k, glyph in enumerate(glyphs) if glyph.starts or k == 0]
-    for start, end in zip(starts, [*starts[1:], len(glyphs)], strict=True):
+    for start, end in pairwise([*starts, len(glyphs)]):
         chunk = glyphs[start:end]
         first = chunk[0]
         left = min(glyph.x for glyph in chunk)

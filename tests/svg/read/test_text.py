@@ -158,9 +158,10 @@ def test_a_missing_font_is_named(fonts: Fonts) -> None:
 
 
 def test_letters_that_no_font_has_are_named(fonts: Fonts) -> None:
-    drawing = read(fonts, '<text y="100">a\U000e0fff</text>')
-    (warning,) = drawing.warnings
-    assert "no font here has" in warning
+    for letters in ("a\U000e0fff", "\U000e0fff"):
+        drawing = read(fonts, f'<rect width="9" height="9"/><text y="100">{letters}</text>')
+        (warning,) = drawing.warnings
+        assert "no font here has" in warning
 
 
 def test_without_fonts_text_is_left_out_with_a_word() -> None:
