@@ -134,3 +134,24 @@ def test_a_ring_that_is_not_drawn_as_it_is_is_refused() -> None:
     if found is not None:
         drawn = found.curves(loop.curves[None], np.zeros(1))[0]
         assert Outline(drawn).area == pytest.approx(rings[0][0].area, rel=1e-3)
+
+
+def test_what_lies_beside_a_bit_without_length_keeps_its_reach_as_the_bit_grows() -> None:
+    one = polyline((0, 0), (10, 0), (10.01, 0), (20, 0))
+    other = polyline((0, 0), (6, 0), (12, 0), (20, 0))
+
+    def ring(start: float, end: float, reach: float) -> tuple[Outline, ...]:
+        corners = [(0, -0.5), (start, -0.5), (end, -0.5), (20, -0.5), (20, 0.5), (0, 0.5)]
+        points = np.array(corners, float)
+        curves = line_curves(points, np.roll(points, -1, axis=0))
+        curves[1, 1:3, 0] = start + reach, end - reach
+        return (Outline(curves),)
+
+    rings = ring(10, 10.01, 0.4), ring(6, 12, 2.0)
+    bound = stroke_outline((one.curves, other.curves), False, rings)
+    assert bound is not None
+    t = np.linspace(0, 1, 9)
+    share = t[:, None, None, None]
+    drawn = bound.curves((1 - share) * one.curves + share * other.curves, t)
+    assert drawn[..., 0].min() > -1e-9
+    assert drawn[..., 0].max() < 20 + 1e-9

@@ -29,6 +29,11 @@ LEAST_TURN = np.deg2rad(10.0)
 #: thousandths of a slim stroke's. Larger and a stroke is seen filled; smaller and rounding counts.
 SPILLED = 1e-5
 
+#: Reach of a handle, in paces of the line, from which on it keeps its length: beside a bit of a line
+#: of hardly any length it says nothing of the pace, and with larger ones it shoots across the
+#: drawing as the bit grows. With smaller ones the inner sides of bends are no longer even.
+MOST_PACES = 4.0
+
 #: Greatest ratio by which a join widens as its corner does.
 WIDENED = 3.0
 
@@ -47,7 +52,8 @@ class _Bound:
     place: Floats  # (P, 2) along the wall, between the corners' mitre lines
     aside: Floats  # (P, 2) distance off the line
     rest: Points  # (P, 2, 2) what is left of the point, along and across
-    handle: Points  # (P, 2, 2) in share of the pace, and across
+    handle: Points  # (P, 2, 2) in share of the pace, or as it is, and across
+    steady: Mask  # (P, 2) whether it is as it is
 
     def only(self, kept: Mask) -> "_Bound":
         """Some of the pieces."""
@@ -79,7 +85,8 @@ class _Bound:
         if turned.any():
             along = np.where(turned[:, None], spin[0], along)
             across = np.where(turned[:, None], spin[1], across)
-        pace = np.where(kind == WALL, pace, np.where(turned, spin[2] * grown, grown))
+        paced = (kind == WALL) & ~self.steady.ravel()
+        pace = np.where(paced, pace, np.where(turned, spin[2] * grown, grown))
         at = points + (aside + rest[:, 1] * grown)[..., None] * across
         at = at + (rest[:, 0] * grown)[..., None] * along
         reach = (handle[:, 0] * pace)[..., None] * along
@@ -277,8 +284,12 @@ def _bound(frame: StrokeFrame, side: int, places: Floats, parts: Curves) -> _Bou
     away = away - aside[:, None] * across
     rest = np.stack([(away * along).sum(-1), (away * across).sum(-1)], axis=-1)
     pace = np.maximum(speed * (1 - bend * aside) + shear, LEAST_PACE * speed)
-    pace = np.where(wall & (pace > 0), pace, 1.0)
-    handle = np.stack([(reach * along).sum(-1) / pace, (reach * across).sum(-1)], axis=-1)
+    far = (reach * along).sum(-1)
+    paced = wall & (pace > 0)
+    pace = np.where(paced, pace, 1.0)
+    steady = paced & (np.round(np.abs(far / pace), 9) > MOST_PACES)
+    pace = np.where(steady, 1.0, pace)
+    handle = np.stack([far / pace, (reach * across).sum(-1)], axis=-1)
     shape = (len(kind), 2)
     return _Bound(
         kind,
@@ -288,4 +299,5 @@ def _bound(frame: StrokeFrame, side: int, places: Floats, parts: Curves) -> _Bou
         aside.reshape(shape),
         rest.reshape(*shape, 2),
         handle.reshape(*shape, 2),
+        steady.reshape(shape),
     )
