@@ -89,12 +89,19 @@ def moved_items(scene: Scene, frame: Frame) -> tuple[Item, ...]:
     found = []
     for item in scene.items:
         moved = item.transformed(frame.back)
-        if frame.over >= 0 and item.filled:  # an area runs clockwise
-            rings = tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in moved.rings)
-            moved = moved.replaced(rings)
+        if frame.over >= 0 and item.filled:
+            moved = moved.replaced(_clockwise(moved.rings))
+        if frame.over >= 0 and moved.painted is not None:
+            painted = replace(moved.painted, rings=_clockwise(moved.painted.rings))
+            moved = replace(moved, painted=painted)
         style = moved_paint(item.style, frame.back, 1 / frame.growth)
         found.append(replace(moved, style=style))
     return tuple(found)
+
+
+def _clockwise(rings: tuple[Outline, ...]) -> tuple[Outline, ...]:
+    """An area's rings, which run clockwise, after it has been mirrored."""
+    return tuple(Outline(ring.curves[::-1, ::-1], ring.closed) for ring in rings)
 
 
 def moved_paint(style: Style, matrix: Affine, growth: float) -> Style:
