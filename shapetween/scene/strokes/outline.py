@@ -29,9 +29,9 @@ LEAST_TURN = np.deg2rad(10.0)
 #: thousandths of a slim stroke's. Larger and a stroke is seen filled; smaller and rounding counts.
 SPILLED = 1e-5
 
-#: Reach of a handle, in paces of the line, from which on it keeps its length: beside a bit of hardly
-#: any length it says nothing of the pace, and with larger ones it shoots across the drawing
-#: as the bit grows. With smaller ones the inner sides of bends are no longer even.
+#: Reach of a handle, in paces of the line, from which on it keeps its length: beside a bit of line
+#: that is nearly a point it says nothing of the pace. Larger, and it shoots across the drawing as
+#: the bit grows; smaller, and the inner sides of bends are no longer even.
 MOST_PACES = 4.0
 
 #: Greatest ratio by which a join widens as its corner does.
