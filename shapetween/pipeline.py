@@ -27,7 +27,7 @@ from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Exchange, Pairing, groups_of
 from shapetween.scene.exchange import pierced_apart
 from shapetween.scene.forms import RoundedBox, form_of
-from shapetween.scene.items import Item, items_of
+from shapetween.scene.items import Item, in_view, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.drawings import kept_drawings
 from shapetween.scene.limbs import with_limbs
@@ -241,10 +241,16 @@ def _moved(
 ) -> _Moved:
     """A single area that becomes another by the outline engine, or else a scene."""
     found = [items_of(side, name) for side, name in zip((first, second), names, strict=True)]
-    (one, notices), (other, more) = found
-    notices = (*notices, *more)
-    one, other = joined_lines(one), joined_lines(other)
     free = all(group[0] and group[1] for group in asked.groups)
+    notices = tuple(notice for _, own in found for notice in own)
+    one, other = found[0][0], found[1][0]
+    if not (asked.groups or settings.meshed):
+        (one, out), (other, more) = (
+            in_view(side, view, name)
+            for side, view, name in zip((one, other), boxes, names, strict=True)
+        )
+        notices = (*notices, *out, *more)
+    one, other = joined_lines(one), joined_lines(other)
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
         with settings.observe("perceive"):
             kept = kept_drawings(one, other, asked.groups)

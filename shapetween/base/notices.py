@@ -26,6 +26,7 @@ Kind: TypeAlias = Literal[
     "stroke-outline",
     "facing",
     "exchanged",
+    "outside",
     "other",
 ]
 """What a notice is about.
@@ -40,7 +41,8 @@ pieces are not kept from each other. one-setting: less is tried to keep an outli
 too-many-parts: some of what is seen of smaller drawings is not looked for. by-corners: an outline
 moves by its corners where a mesh was due. stroke-outline: the area of a stroke does not follow its
 line. facing: the drawings seem to face opposite ways. exchanged: the drawings have
-too little in common for their parts to become each other.
+too little in common for their parts to become each other. outside: shapes outside of the view are
+left out.
 """
 
 

@@ -24,7 +24,15 @@ from shapetween.model.paint import Colour, Gradient, Paint, Stroke, Style
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["SAMPLES", "Item", "Painted", "intersection_over_union", "items_of", "seen_colour"]
+__all__ = [
+    "SAMPLES",
+    "Item",
+    "Painted",
+    "in_view",
+    "intersection_over_union",
+    "items_of",
+    "seen_colour",
+]
 
 #: Even samples of an item's ring. Fewer cut small corners off what items are compared by; more
 #: cost time with their square, where all items are compared with each other.
@@ -267,6 +275,29 @@ def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tupl
     if not items and failure is not None:
         raise failure
     return tuple(items), tuple(notices)
+
+
+def in_view(
+    items: Sequence[Item], view: Points, name: str
+) -> tuple[tuple[Item, ...], tuple[Notice, ...]]:
+    """Those items that lie in the view (2, 2), its least and greatest corner, at least in part.
+
+    What is outside of it is never seen at rest, and would come into view as the others move. All of
+    them, where none is inside; without them, a note says so.
+    """
+    seen = tuple(item for item in items if not _outside(item, view))
+    if not seen or len(seen) == len(items):
+        return tuple(items), ()
+    count = len(items) - len(seen)
+    message = f"{count} shape{'s lie' if count > 1 else ' lies'} outside of the view"
+    return seen, (Notice("outside", message, name, "not moved", severity="note"),)
+
+
+def _outside(item: Item, view: Points) -> bool:
+    """Whether nothing of an item, its stroke and all, lies in a view."""
+    stroke = item.style.stroke
+    wide = stroke.width * max(1.0, stroke.miter_limit) / 2 if stroke is not None else 0.0
+    return bool((item.box[1] + wide < view[0]).any() or (item.box[0] - wide > view[1]).any())
 
 
 def _region_item(region: Region, style: Style, shape: int, name: str) -> Item:

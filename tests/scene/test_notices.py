@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import shapetween as st
@@ -103,3 +104,22 @@ def test_an_outline_without_a_mesh_moves_by_its_corners(
     notice = told(tmp_path, leaf, monstera)["by-corners"]
     assert notice.message == "nothing is enclosed"
     assert "corners" in notice.instead
+
+
+@pytest.mark.parametrize("end", [0, 1])
+def test_what_is_outside_of_the_view_does_not_move(tmp_path: Path, end: int) -> None:
+    """A second drawing beside the page would come into view as the first one shrinks."""
+    beside = '<path d="M-20 2h12v20h-12z"/><path d="M30 2v9" stroke="#000" stroke-width="2"/>'
+    sides = [SOLID, HEAD]
+    sides[end] += beside
+    notice = told(tmp_path, *sides)["outside"]
+    assert (notice.severity, notice.message) == ("note", "2 shapes lie outside of the view")
+    assert notice.place.endswith(("a.svg", "b.svg")[end])
+    parts = st.morph(tmp_path / "a.svg", tmp_path / "b.svg").movements[0].parts
+    points = np.concatenate([p.curves(np.linspace(0, 1, 5)).reshape(-1, 2) for p in parts])
+    assert points.min() > -1
+    assert points.max() < 25
+    # What reaches into the view with its stroke is seen, and so is all of a drawing without a view.
+    wide = SOLID + '<path d="M-.5 2v9" stroke="#000" stroke-width="2"/>'
+    assert "outside" not in told(tmp_path, wide, HEAD)
+    assert "outside" not in told(tmp_path, beside, HEAD)
