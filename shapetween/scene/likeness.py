@@ -42,8 +42,9 @@ IN_PLACE = 0.03
 #: Larger, and a bar of a hat stays to be one of a list; smaller, and a handle is no part of an x.
 ASIDE = 0.1
 
-#: Most pairs of one form that are looked at. More take seconds: the time grows with their square.
-MOST_ALIKE = 400
+#: Most pairs that are looked at, and most of one form. More take seconds: with those of one form
+#: the time grows with their square.
+MOST_LOOKED, MOST_ALIKE = 4000, 400
 
 
 def drawn_alike(a: Scene, b: Scene) -> Floats:
@@ -96,6 +97,8 @@ def scaled_groups(a: Scene, b: Scene) -> list[tuple[int, int]]:
     An arrow that comes into a circle is, and so is a bell that makes room for a badge. What the
     other one has beside it does not matter.
     """
+    if len(a.items) * len(b.items) > MOST_LOOKED:
+        return []
     firsts, seconds = np.nonzero(_of_one_form(a, b))
     if not 1 < len(firsts) <= MOST_ALIKE:
         return []

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Points
+from shapetween.base.arrays import Floats, Mask, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
@@ -33,6 +33,9 @@ REST = 0.02
 #: there, and samples by which that is found. Shorter, and lines that cross break; wider, and a lid
 #: is cut from its box.
 LONG, NEARLY_ON, FINE = 0.3, 0.008, 129
+
+#: Most pairs of lines that are looked at, a millisecond each.
+MOST = 400
 
 #: Least share of one of two such lines that lies on the other drawing's lines. Smaller, and a
 #: folder breaks that opens; at 1 a wall that is cut short by a heart is none.
@@ -89,15 +92,19 @@ def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     there = _share_there(whole, parts, scale), _share_there(parts, whole, scale)
     if not max(there[0].max(), there[1].max()) > THERE:
         return found
-    for k, item in enumerate(whole.items):
-        if item.filled or item.shape in kept or not opaque(item) or item.length < LONG * scale:
+    pairs = _longer_pairs(whole, parts, scale)
+    pairs &= np.maximum(there[0][:, None], there[1]) > THERE
+    if pairs.sum() > MOST:
+        return found
+    for k in np.flatnonzero(pairs.any(axis=1)).tolist():
+        item = whole.items[k]
+        if item.shape in kept or not opaque(item):
             continue
         places = Places(item.outer)
         spans = []
-        for j, line in enumerate(parts.items):
-            if line.filled or not opaque(line) or not _painted_alike(line, item):
-                continue
-            if max(there[0][k], there[1][j]) <= THERE:
+        for j in np.flatnonzero(pairs[k]).tolist():
+            line = parts.items[j]
+            if not opaque(line) or not _painted_alike(line, item):
                 continue
             span = _common_run(places, Places(line.outer), scale)
             if span is not None:
@@ -113,6 +120,21 @@ def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     return found
 
 
+def _longer_pairs(whole: Scene, parts: Scene, scale: float) -> Mask:
+    """Pairs of lines whose boxes have so much in common that the lines may, (N, M)."""
+    boxes = [np.array([item.box for item in s.items]) for s in (whole, parts)]
+    low = np.maximum(boxes[0][:, None, 0], boxes[1][:, 0])
+    high = np.minimum(boxes[0][:, None, 1], boxes[1][:, 1])
+    long = [
+        np.array([not item.filled and item.length >= LONG * scale for item in s.items])
+        for s in (whole, parts)
+    ]
+    shared = np.linalg.norm(np.maximum(high - low, 0.0), axis=-1)
+    shared[(high - low < -NEARLY_ON * scale).any(axis=-1)] = 0.0
+    # A run that is bent has less of a box than its length.
+    return np.asarray(long[0][:, None] & long[1] & (shared > LONG / 4 * scale))
+
+
 def _share_there(scene: Scene, other: Scene, scale: float) -> Floats:
     """Share of each line that lies on another drawing's lines, (N,); 0 of areas."""
     import shapely
@@ -120,15 +142,13 @@ def _share_there(scene: Scene, other: Scene, scale: float) -> Floats:
     lines = [item for item in other.items if not item.filled]
     if not lines:
         return np.zeros(len(scene.items))
-    near = shapely.union_all([shapely.LineString(item.chords) for item in lines])
-    near = near.buffer(NEARLY_ON * scale)
-    shapely.prepare(near)
-    return np.array(
-        [
-            0.0 if item.filled else float(shapely.contains_xy(near, *item.points.T).mean())
-            for item in scene.items
-        ]
-    )
+    tree = shapely.STRtree([shapely.LineString(item.chords) for item in lines])
+    points = shapely.points(np.concatenate([item.points for item in scene.items]))
+    near, _ = tree.query(points, predicate="dwithin", distance=NEARLY_ON * scale)
+    on = np.zeros(len(points), dtype=bool)
+    on[near] = True
+    shares = on.reshape(len(scene.items), -1).mean(axis=1)
+    return np.where([item.filled for item in scene.items], 0.0, shares)
 
 
 def _common_run(places: Places, line: Places, scale: float) -> tuple[float, float] | None:
