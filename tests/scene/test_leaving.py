@@ -389,9 +389,10 @@ def test_a_ring_as_an_area_and_one_as_a_line_become_each_other_as_areas(
     if painted:
         frame = '<path fill-rule="evenodd" d="M2 3h20v18h-20zM4 5v14h16v-14z"/>'
         frame += '<path d="M7 9h10v2h-10z"/>'
+    ends = svg(tmp_path, "a", bubble), svg(tmp_path, "b", frame)
     (wall,) = (
         part
-        for part in morph(tmp_path, bubble, frame).prepared.movement.parts
+        for part in st.morph(*ends, pairing="loose").prepared.movement.parts
         if part.only is None and part.style(0.0).opacity == 1
     )
     for t in np.linspace(0, 1, 9):
