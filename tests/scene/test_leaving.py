@@ -8,11 +8,17 @@ import shapely
 
 import shapetween as st
 from shapetween.base.arrays import Floats
+from shapetween.base.ends import End
 from shapetween.geometry.bezier import signed_area
 from shapetween.model.drawing import Shape
-from shapetween.model.paint import Colour
+from shapetween.model.paint import Colour, Stroke, Style
 from shapetween.model.part import Part
 from shapetween.scene.asked import Change
+from shapetween.scene.items import Item
+from shapetween.scene.unmatched.going import Going
+from shapetween.scene.unmatched.part import unmatched_part
+from shapetween.scene.unmatched.presence import BOTH, Leaving
+from tests.scene.strokes import polyline
 from tests.scene.test_faults import drawn, seen
 
 ICON = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
@@ -544,3 +550,27 @@ def test_a_line_waits_until_what_is_in_its_place_has_moved(tmp_path: Path) -> No
     assert comes.style(0.6).opacity > 0
     assert goes.style(0.4).opacity > 0
     assert free.style(0.2).opacity > 0
+
+
+@pytest.mark.parametrize("opacity", [1.0, 0.5])
+def test_a_line_that_is_cut_at_its_corner_is_whole_at_rest(opacity: float) -> None:
+    """A mitre is no join of two halves; of what is seen through both would be seen twice."""
+    black = Colour(0.0, 0.0, 0.0)
+    line = polyline((20, 4), (20, 20), (4, 20))
+    style = Style(fill=None, stroke=Stroke(black, 2.0), opacity=opacity)
+    going = Going(Leaving((0.0, 0.6), kept=BOTH))
+    part, told = unmatched_part(Item((line,), style, 0, ""), going, End.SOURCE, None)
+    assert not told
+    halves = np.split(part.curves(np.zeros(1))[0], np.cumsum(part.rings)[:-1])
+    strokes = [
+        shapely.LineString(half).buffer(1, cap_style="flat", join_style="mitre")
+        for half in [np.concatenate([h[:1, 0], h[:, 3]]) for h in halves]
+    ]
+    whole = shapely.LineString([(20, 4), (20, 20), (4, 20)])
+    painted = whole.buffer(1, cap_style="flat", join_style="mitre")
+    missed = painted.difference(shapely.union_all(strokes)).area
+    overlap = strokes[0].intersection(strokes[1]).area
+    if opacity == 1:
+        assert missed < 1e-9
+    else:
+        assert overlap < 1.1  # half of the corner

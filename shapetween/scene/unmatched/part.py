@@ -8,6 +8,7 @@ from shapetween.base.notices import Notice
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
 from shapetween.model.part import CurveTrack, Part
+from shapetween.scene.cuts.lines import opaque
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame, Framed
 from shapetween.scene.places import Places, cut_alike, run_of
@@ -16,6 +17,11 @@ from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.presence import Carry, Leaving, LeavingPaint, LeavingTrack
 
 __all__ = ["unmatched_part"]
+
+#: Cosine of the turn of a line within its width where it is cut, from which on it has a corner
+#: there. Smaller, and joins are lost that are seen; larger, and halves of bends stay together
+#: longer than those of straight lines.
+STRAIGHT = 0.9
 
 
 def unmatched_part(
@@ -47,7 +53,7 @@ def unmatched_part(
     if leaving.kept is not None and item.closed:
         rings, closed = [run_of(Places(item.outer), going.cut, going.cut + 1).curves], (False,)
     elif isinstance(leaving.kept, tuple):
-        rings, closed = _halves(item.outer, going.cut), (False, False)
+        rings, closed = _halves(item, going.cut), (False, False)
     if fold is not None:
         rings = [fold.pieces.source]
     lines = LeavingTrack(tuple(rings), closed, leaving, end, carries, fold)
@@ -69,11 +75,23 @@ def _rings(
     return LeavingTrack(whole, (True,) * len(whole), leaving, end, carries)
 
 
-def _halves(line: Outline, at: float) -> list[Curves]:
-    """A line cut at a share of its length."""
-    cut = np.array([0.0, at, 1.0])
-    places = Places(line)
-    pieces = cut_alike(places, places, cut, cut).source
-    middle = places.point(np.array([at]))[0]
-    k = int(np.linalg.norm(pieces[:, 0] - middle, axis=1).argmin())
-    return [pieces[:k], pieces[k:]]
+def _halves(item: Item, at: float) -> list[Curves]:
+    """A line cut at a share of its length.
+
+    At a corner both run over each other by its width, where that is not seen: it keeps its join.
+    """
+    stroke, places = item.style.stroke, Places(item.outer)
+    back = at
+    if stroke is not None and opaque(item) and stroke.width < item.length * at / 2:
+        near = stroke.width / item.length
+        before, middle, after = places.point(np.array([at - near / 2, at, at + near / 2]))
+        leaving, arriving = middle - before, after - middle
+        straight = float(leaving @ arriving) > STRAIGHT * float(np.hypot(*leaving) ** 2)
+        back = at if straight else at - near
+    cuts = np.array([0.0, at, 1.0] if back == at else [0.0, back, at, 1.0])
+    pieces = cut_alike(places, places, cuts, cuts).source
+    first, second = (
+        int(np.linalg.norm(pieces[:, 0] - places.point(np.array([share]))[0], axis=1).argmin())
+        for share in (at, back)
+    )
+    return [pieces[:first], pieces[second:]]
