@@ -257,7 +257,9 @@ def items_of(shapes: Sequence[Shape], name: str) -> tuple[tuple[Item, ...], tupl
         called = f"{name}: shape {shape.name!r}" if shape.name else name
         stroke = shape.style.stroke if shape.style.stroke and shape.style.stroke.width else None
         style = replace(shape.style, stroke=stroke)
-        outline_apart = stroke is not None and not all(ring.closed for ring in shape.rings)
+        outline_apart = stroke is not None and not all(
+            joined(ring, stroke).closed for ring in shape.rings
+        )
         if style.fill is not None:
             closed = Shape(tuple(ring.close() for ring in shape.rings), style, shape.name)
             try:

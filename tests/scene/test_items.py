@@ -71,3 +71,12 @@ def test_samples_are_even_whatever_the_curves() -> None:
     (item,), _ = items_of([Shape((dot,), Style(None, Stroke(Colour(), 2.0, "round")))], "a.svg")
     assert item.points.shape == (64, 2)
     assert item.area == pytest.approx(np.pi, rel=0.05)
+
+
+def test_an_outline_whose_ends_meet_keeps_its_border_though_nothing_closes_it() -> None:
+    """Its border would fade by itself, as a grey ring, beside one that is closed."""
+    meeting = line((0, 0), (9, 0), (9, 9), (0, 0))
+    stroke = Stroke(Colour(), 2.0, "round", "round")
+    (item,), _ = items_of([Shape(meeting.rings, Style(Colour(), stroke))], "a.svg")
+    assert item.filled
+    assert item.style.stroke == stroke

@@ -13,6 +13,7 @@ from shapetween.geometry.bezier import flatten
 from shapetween.model.drawing import Drawing
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
+from shapetween.scene.kept.holes import holes_in_turn
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Piece
 from shapetween.scene.kept.shared_arcs import snapped
@@ -599,3 +600,14 @@ def test_what_lies_in_a_hole_that_closes_is_not_run_over_by_its_border() -> None
     for area in frames(path(first), path(second), np.linspace(0, 0.45, 10)):
         for hole in shapely.get_parts(area)[0].interiors:
             assert shapely.Polygon(hole).area > 0.9 * shapely.Polygon(hole).convex_hull.area
+
+
+def test_a_hole_that_touches_itself_is_an_area() -> None:
+    """Curves that meet at a point may run over each other as chords."""
+    whole = shapely.box(-20, -20, 20, 20)
+    bow = np.array([[0, 0], [4, 4], [4, 0], [0, 4.5]], float)
+    box = np.array([[8, 8], [9, 8], [9, 9], [8, 9]], float)
+    found = holes_in_turn(([0], [1]), (), [bow, box], (whole, whole))
+    assert found == [(0, 0), (1, 1)]
+    torn = whole.difference(shapely.make_valid(shapely.Polygon(bow + 0.5)))
+    assert holes_in_turn(([0], [1]), (), [bow, box], (torn, torn)) == []

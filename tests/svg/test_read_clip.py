@@ -178,3 +178,18 @@ def test_a_clip_that_uses_a_group_shows_nothing_and_it_is_told() -> None:
     assert area(drawing) == pytest.approx(9 * 9)
     (warning,) = drawing.warnings
     assert "as in browsers" in warning
+
+
+def test_strokes_of_a_mask_are_areas_too() -> None:
+    """A sheet behind a mask of white and black strokes is the icon that is seen."""
+    text = (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48"><mask id="m">'
+        '<g fill="none" stroke-width="4"><path fill="#fff" stroke="#fff" d="M12 12h24v24H12z"/>'
+        '<path stroke="#000" d="M18 24h12"/></g></mask>'
+        '<path d="M0 0h48v48H0z" mask="url(#m)"/></svg>'
+    )
+    drawing = read_svg(text.encode(), "a.svg")
+    (shape,) = drawing.shapes
+    assert not drawing.warnings
+    assert not shape.style.groups
+    assert sorted(abs(ring.area) for ring in shape.rings) == pytest.approx([48, 28 * 28])

@@ -103,7 +103,7 @@ def holes_in_turn(
     found: tuple[list[int], list[int]] = ([], [])
     for side in (0, 1):
         for k in holes[side]:
-            area = shapely.Polygon(polylines[k])
+            area = shapely.make_valid(shapely.Polygon(polylines[k]))
             if k not in paired and area.difference(solid[1 - side]).area <= STRAY * area.area:
                 found[side].append(k)
     if not found[0] or not found[1]:

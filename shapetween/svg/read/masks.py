@@ -17,10 +17,12 @@ from shapetween.boolean.chords import chords_of
 from shapetween.geometry.affine import affine, compose, mapped
 from shapetween.model.drawing import Box, Shape
 from shapetween.model.effects import Mask
-from shapetween.model.paint import Colour, Gradient, Paint
+from shapetween.model.outline import Outline
+from shapetween.model.paint import Colour, FillRule, Gradient, Paint, Stroke
 from shapetween.svg.read.clip import CLIP_WORK, Clipper, Region
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer, Placed
+from shapetween.svg.read.stroked import stroke_rings
 from shapetween.svg.read.walk import object_box, walk
 from shapetween.svg.read.xml import label, local_name
 
@@ -36,6 +38,8 @@ SURE = 1 / 512
 LUMINANCE = np.array([0.2125, 0.7154, 0.0721])
 
 Painted = Callable[[Iterable[Placed]], list[Shape]]
+
+_Layer = tuple[tuple[Outline, ...], FillRule, bool]
 
 
 class Masker:
@@ -118,24 +122,24 @@ class Masker:
         return Mask(tuple(shapes))
 
     def _area(self, shapes: Sequence[Shape]) -> Region | None:
-        """The area that shapes show, if they show or hide all of it and have no strokes."""
+        """The area that shapes and their strokes show, if they show or hide all of it."""
         import shapely
 
-        levels = []
+        layers: list[_Layer] = []
         for shape in shapes:
-            level = _level(shape)
-            if level is None:
-                return None
-            levels.append(level)
-        area = shapely.Polygon()
-        edges = []
-        for shape, level in zip(shapes, levels, strict=True):
-            chords = chords_of([ring.close() for ring in shape.rings])
-            self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
-            own = filled_area(chords.polylines, shape.style.fill_rule)
+            own = _layers(shape)
             if own is None:
                 return None
-            area = area.union(own) if level else area.difference(own)
+            layers += own
+        area = shapely.Polygon()
+        edges = []
+        for rings, rule, level in layers:
+            chords = chords_of([ring.close() for ring in rings])
+            self._document.spend("clip_points", len(chords.ends) + CLIP_WORK)
+            shown = filled_area(chords.polylines, rule)
+            if shown is None:
+                return None
+            area = area.union(shown) if level else area.difference(shown)
             edges.append(chords)
         return Region(area, tuple(edges))
 
@@ -157,15 +161,35 @@ def _corners(element: Element, layer: Layer, box: Box | None) -> Points:
     return np.array([[x, y], [right, y], [right, bottom], [x, bottom]])
 
 
-def _level(shape: Shape) -> bool | None:
-    """Whether a shape of a mask shows all that it covers, or hides it all; None if neither."""
+def _layers(shape: Shape) -> list[_Layer] | None:
+    """The rings of a mask's shape and of its stroke, their rule, and whether each shows or hides.
+
+    None if one of them does neither.
+    """
     style = shape.style
-    if style.stroke is not None or style.groups or not isinstance(style.fill, Colour):
+    if style.texture is not None or style.groups:
         return None
-    colour = style.fill
-    if style.texture is not None or colour.alpha * style.opacity < 1 - SURE:
+    layers: list[_Layer] = []
+    paints: list[tuple[Paint, Stroke | None]] = [(style.fill, None)]
+    if style.stroke is not None and style.stroke.width > 0:
+        paints.append((style.stroke.paint, style.stroke))
+    for paint, stroke in paints:
+        if paint is None:
+            continue
+        level = _level(paint, style.opacity)
+        rings = shape.rings if stroke is None else stroke_rings(shape.rings, stroke)
+        if level is None or rings is None:
+            return None
+        if rings:
+            layers.append((rings, style.fill_rule if stroke is None else "nonzero", level))
+    return layers
+
+
+def _level(paint: Paint, opacity: float) -> bool | None:
+    """Whether a paint of a mask shows all that it covers, or hides it all; None if neither."""
+    if not isinstance(paint, Colour) or paint.alpha * opacity < 1 - SURE:
         return None
-    light = float(LUMINANCE @ np.array([colour.red, colour.green, colour.blue]))
+    light = float(LUMINANCE @ np.array([paint.red, paint.green, paint.blue]))
     if light > 1 - SURE:
         return True
     return False if light < SURE else None
