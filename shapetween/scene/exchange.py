@@ -159,10 +159,12 @@ def too_different(
         return False
     if paired and all(isinstance(form, Segment) for scene in (a, b) for form in scene.forms):
         return False  # bars turn into whatever other bars are
-    if paired and min(counts) == 1:
-        i, j, _ = _main_pair(a, b, firsts, seconds)
-        if nothing_corresponds(*of_one_kind(a.items[i], b.items[j])):
-            return True
+    # One thing, and who it would become.
+    alone = _main_pair(a, b, firsts, seconds)[:2] if paired and min(counts) == 1 else None
+    if alone is not None and nothing_corresponds(
+        *of_one_kind(a.items[alone[0]], b.items[alone[1]])
+    ):
+        return True
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)
     if tracks is not None:
@@ -170,9 +172,8 @@ def too_different(
     lines = _in_lines(a, b)
     plain = EXCHANGED_COLOURED if recoloured(a, b, firsts, seconds) else EXCHANGED
     least = most or (EXCHANGED_LINES if lines else plain)
-    if paired and min(counts) == 1:
-        i, j, _ = _main_pair(a, b, firsts, seconds)
-        forms = a.forms[i], b.forms[j]
+    if alone is not None:
+        forms = a.forms[alone[0]], b.forms[alone[1]]
         # Of lines, only a circle becomes whatever it is.
         if not lines or any(isinstance(form, RoundedBox) and form.round for form in forms):
             least += ONE_THING
