@@ -175,7 +175,7 @@ def _refine(a: _Whitened, b: _Whitened, shift: float, angle: float | None) -> _F
             break
         step = -(gap * direction.conj()).real.sum() / strength
         shift += step
-        if abs(step) >= last:  # it converges quadratically, down to rounding
+        if not abs(step) < last:  # it converges quadratically, down to rounding; NaN ends it too
             break
         last = abs(step)
     zb = b.points(grid + shift)

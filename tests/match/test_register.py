@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from shapetween.base.arrays import Affine
+from shapetween.match import register as registering
 from shapetween.match.register import register
 from shapetween.model.arclength import ArcLength
 from shapetween.model.outline import Outline
@@ -78,3 +79,8 @@ def test_pins_choose_among_equal_maps_and_forbid_others() -> None:
     assert quarter is not None
     assert quarter.turn == pytest.approx(np.pi / 2, abs=1e-9)
     assert register(square, square, np.array([[0.0, 0.1]])) is None
+
+
+def test_a_refinement_that_is_no_number_ends() -> None:
+    white = registering._whiten(polygon(star(5)))
+    assert np.isnan(registering._refine(white, white, np.nan, None).shift)
