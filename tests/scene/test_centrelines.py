@@ -4,8 +4,13 @@ import numpy as np
 import pytest
 import shapely
 
+from shapetween.fill.regions import regions_of
+from shapetween.geometry.bezier import evaluate
 from shapetween.model.outline import Outline
+from shapetween.scene.strokes.axis_fit import fit_curves
 from shapetween.scene.strokes.centrelines import centre_lines, is_broad, run_into
+from shapetween.scene.strokes.segmentation import outlined_strokes
+from shapetween.svg.read.reader import read_svg
 from tests.scene.strokes import arc, flat, painted, polyline
 
 CHECK = [polyline((4, 13), (9, 18), (20, 6))]
@@ -121,3 +126,29 @@ def test_a_line_that_is_all_there_is_runs_into_nothing() -> None:
     meet = run_into(place, ahead, [shapely.LineString([(2, 0), (2, 4)])], 0.5)
     assert meet is not None
     np.testing.assert_allclose(meet, np.array([2.0, 2.0]))
+
+
+def test_an_arc_is_not_cut_for_the_noise_at_its_ends() -> None:
+    """A wave whose caps lie aside of its middle: by the points next to its end an arc bends off."""
+    wave = "M20 5a1 1 0 0 0-1.4 1.4 8 8 0 0 1 0 11.2 1 1 0 0 0 1.4 1.4 10 10 0 0 0 0-14z"
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path d="{wave}"/></svg>'
+    (region,), _ = regions_of(read_svg(svg.encode(), "wave.svg").shapes[0], "wave")
+    strokes = outlined_strokes(region)
+    assert strokes is not None
+    (stroke,) = strokes
+    assert len(stroke.line.line.curves) == 1  # five by directions alone
+    middle = (20 - np.sqrt(10**2 - 7**2) + 18.6 - np.sqrt(8**2 - 5.6**2)) / 2
+    away = np.hypot(*(_chords(stroke.line.line) - [middle, 12.0]).T)
+    assert np.abs(away - 9).max() < 0.03
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_free_end_is_as_near_as_all_else(seed: int) -> None:
+    """Noisy points of an arc, the ends of them too, are one curve within the noise."""
+    tolerance = 1e-3
+    angle = np.linspace(0.0, np.pi / 2, 90)
+    noise = tolerance * np.random.default_rng(seed).uniform(-0.6, 0.6, len(angle))
+    points = (1 + noise)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    (curve,) = fit_curves(points, tolerance, 0.1, closed=False)
+    assert np.abs(np.hypot(*evaluate(curve, np.arange(65) / 64).T) - 1).max() < tolerance
+    assert np.hypot(*(curve[[0, 3]] - points[[0, -1]]).T).max() < 3 * tolerance

@@ -6,9 +6,9 @@
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.base.arrays import Curves, Floats, Points
 from shapetween.base.ranking import comparable
-from shapetween.geometry.bezier import derivatives, evaluate, line_curves
+from shapetween.geometry.bezier import derivatives, evaluate, line_curves, sub_curves
 from shapetween.geometry.polygon import cross
 
 __all__ = ["end_motion", "fit_curves"]
@@ -18,7 +18,9 @@ __all__ = ["end_motion", "fit_curves"]
 STRAIGHT = 1.6
 
 #: Rounds in which points slide along the curve fitted to them; a few more change nothing seen.
-ROUNDS = 4
+#: Where an end is free it takes more: with fewer, quarters of circles are cut;
+#: with more nothing changes but the time taken.
+ROUNDS, FREE_ROUNDS = 4, 12
 
 #: Points that a curve's handles are fitted to at least: fewer say nothing of how it bends.
 FEWEST = 5
@@ -196,11 +198,29 @@ def _smooth_direction(points: Points, reach: float, k: int, *, closed: bool) -> 
 def _smooth(
     points: Points, leaving: Points | None, reaching: Points | None, tolerance: float, reach: float
 ) -> Curves:
-    """Smooth cubic curves through points, with directions at the ends where those are given."""
-    if leaving is None:
-        leaving = end_motion(points, reach, 0)[0]
-    if reaching is None:
-        reaching = end_motion(points, reach, -1)[0]
+    """Smooth cubic curves through points, with directions at the ends where those are given.
+
+    Where none is, points near the end tell one; or the end is left free, if that takes fewer
+    curves: noise near the end of an arc bends its direction off, and it is cut to come back.
+    """
+    guessed = (
+        end_motion(points, reach, 0)[0] if leaving is None else leaving,
+        end_motion(points, reach, -1)[0] if reaching is None else reaching,
+    )
+    curves = _divided(points, *guessed, tolerance, reach)
+    if len(curves) == 1 or (leaving is not None and reaching is not None):
+        return curves
+    free = _divided(points, leaving, reaching, tolerance, reach)
+    return free if len(free) < len(curves) else curves
+
+
+def _divided(
+    points: Points, leaving: Points | None, reaching: Points | None, tolerance: float, reach: float
+) -> Curves:
+    """One curve through points or, where that is not near enough, those through two parts."""
+    if len(points) < 2 * FEWEST:  # too few to say where an end is
+        leaving = end_motion(points, reach, 0)[0] if leaving is None else leaving
+        reaching = end_motion(points, reach, -1)[0] if reaching is None else reaching
     curve, errors = _one_curve(points, leaving, reaching)
     turn = np.sum(np.abs(_turns(points)))
     if (errors.max() <= tolerance and turn < 0.75 * np.pi) or len(points) < 2 * FEWEST:
@@ -214,8 +234,8 @@ def _smooth(
     through = _smooth_direction(points, reach, middle, closed=False)
     return np.concatenate(
         [
-            _smooth(points[: middle + 1], leaving, through, tolerance, reach),
-            _smooth(points[middle:], through, reaching, tolerance, reach),
+            _divided(points[: middle + 1], leaving, through, tolerance, reach),
+            _divided(points[middle:], through, reaching, tolerance, reach),
         ]
     )
 
@@ -225,30 +245,62 @@ def _turns(points: Points) -> Floats:
     return np.asarray(np.arctan2(cross(steps[:-1], steps[1:]), (steps[:-1] * steps[1:]).sum(-1)))
 
 
-def _one_curve(points: Points, leaving: Points, reaching: Points) -> tuple[Curves, Floats]:
-    """The cubic curve with given ends nearest to points, and each point's distance ([Sch90]_)."""
-    start, end = points[0], points[-1]
+def _one_curve(
+    points: Points, leaving: Points | None, reaching: Points | None
+) -> tuple[Curves, Floats]:
+    """The cubic curve nearest to points, and each point's distance ([Sch90]_).
+
+    It begins and ends on the first and the last point where its direction there is given. Where
+    none is, an end is a point like any other, no more exact than they are.
+    """
     along = _along(points)
     chord = along[-1]
     t = along / chord
-    curve = line_curves(start, end)
-    for _ in range(ROUNDS):
+    ends = (points[0], leaving), (points[-1], None if reaching is None else -reaching)
+    curve = line_curves(points[0], points[-1])
+    for _ in range(FREE_ROUNDS if leaving is None or reaching is None else ROUNDS):
         s = 1 - t
-        b0, b1, b2, b3 = s**3, 3 * s * s * t, 3 * s * t * t, t**3
-        rest = points - (b0 + b1)[:, None] * start - (b2 + b3)[:, None] * end
-        a1, a2 = b1[:, None] * leaving, -b2[:, None] * reaching
-        gram = np.array([[np.sum(a1 * a1), np.sum(a1 * a2)], [np.sum(a1 * a2), np.sum(a2 * a2)]])
-        side = np.array([np.sum(a1 * rest), np.sum(a2 * rest)])
-        determinant = gram[0, 0] * gram[1, 1] - gram[0, 1] ** 2
-        if determinant > 1e-9 * gram[0, 0] * gram[1, 1]:
-            handles = np.linalg.solve(gram, side)
-        else:
-            handles = np.full(2, chord / 3)
-        handles = np.clip(handles, 0.05 * chord, chord)
-        curve = np.array([start, start + handles[0] * leaving, end - handles[1] * reaching, end])
+        weights = (s**3, 3 * s * s * t), (t**3, 3 * s * t * t)
+        (first, start), (last, end) = (
+            _ways(*own, *given) for own, given in zip(weights, ends, strict=True)
+        )
+        ways = np.concatenate([first, last], axis=1)
+        gram = np.einsum("nik,njk->ij", ways, ways)
+        found = np.full(len(gram), chord / 3)  # two points tell no length; nor are they free
+        if np.linalg.det(gram) > 1e-9 * np.prod(np.diag(gram)):
+            found = np.linalg.solve(gram, np.einsum("nik,nk->i", ways, points - start - end))
+        sides = np.split(found, [first.shape[1]])
+        both = [_placed(own, *given, chord) for own, given in zip(sides, ends, strict=True)]
+        curve = np.concatenate([both[0], both[1][::-1]])
         t = _slid(curve, points, t)
     errors = np.hypot(*(evaluate(curve, t) - points).T)
+    if t[0] > 0 or t[-1] < 1:  # a free end may lie past the points
+        curve = sub_curves(curve[None], t[:1], t[-1:])[0]
     return curve, np.asarray(errors)
+
+
+def _ways(
+    end: Floats, handle: Floats, point: Points, direction: Points | None
+) -> tuple[Points, Points]:
+    """What an end of a curve and its handle may add to points (N, K, 2), and what they do (N, 2).
+
+    Both are wherever they fit best, or the end is a point and its handle in a direction from it.
+    """
+    if direction is None:
+        ways = np.concatenate(
+            [end[:, None, None] * np.eye(2), handle[:, None, None] * np.eye(2)], 1
+        )
+        return ways, np.zeros((len(end), 2))
+    return handle[:, None, None] * direction, (end + handle)[:, None] * point
+
+
+def _placed(found: Floats, point: Points, direction: Points | None, chord: float) -> Points:
+    """An end of a curve and its handle, which is neither next to nothing nor longer than it."""
+    if direction is None:
+        point, arm = found[:2], found[2:] - found[:2]
+        length = max(float(np.hypot(*arm)), 1e-300)
+        return np.array([point, point + arm * (np.clip(length, 0.05 * chord, chord) / length)])
+    return np.array([point, point + np.clip(found[0], 0.05 * chord, chord) * direction])
 
 
 def _slid(curve: Curves, points: Points, t: Floats) -> Floats:
@@ -257,6 +309,4 @@ def _slid(curve: Curves, points: Points, t: Floats) -> Floats:
     velocity = derivatives(curve, t)
     size = (velocity**2).sum(-1)
     step = (away * velocity).sum(-1) / np.where(size > 0, size, 1.0)
-    moved: Index | Floats = np.clip(t - step, 0.0, 1.0)
-    moved[0], moved[-1] = 0.0, 1.0
-    return np.asarray(np.maximum.accumulate(moved))
+    return np.asarray(np.maximum.accumulate(np.clip(t - step, 0.0, 1.0)))
