@@ -9,14 +9,20 @@ import pytest
 from shapetween.base.arrays import Floats
 from shapetween.model.movement import Movement
 from shapetween.model.part import Part
-from shapetween.pipeline import Options, prepare
+from shapetween.pipeline import prepare
 from shapetween.svg.read.reader import read_svg
 
 INPUTS = Path(__file__).resolve().parents[1] / "gallery" / "inputs"
 
 #: Thousandths of the view box that a point may run in a ten thousandth of the time: as if it ran
-#: through fifteen pictures in the whole. A jump is a line's width at least, twenty and more.
-BOUND, SHORT = 1.5, 1e-4
+#: through three pictures in the whole, where no pair of the corpus has one that runs through more
+#: than 2.7. A jump is a line's width at least, twenty and more; a handle that another pulls round
+#: as it shrinks to nothing runs one to ten.
+BOUND, SHORT = 0.3, 1e-4
+
+#: The same where a border is cut off by another one that it is nearly parallel to: where they meet
+#: runs along faster than either.
+CUT_BOUND = 1.0
 
 #: Parts of the time that are looked at; where points run farthest in, they are looked at closer.
 STEPS, CLOSER = 240, 4
@@ -25,23 +31,32 @@ STEPS, CLOSER = 240, 4
 PAIRS = (
     ("man-dancing", "woman-dancing"),
     ("hand-closed", "hand-open"),
+    ("deer", "giraffe"),
     ("man", "werewolf"),
     ("key", "lock"),
     ("letter-o", "letter-c"),
 )
 
-#: Pairs of the corpus: lines that are drawn, slashes that cut, marks that come and go.
+#: Pairs of the corpus: outlines with handles of hardly any length, and a tip whose handles are
+#: nothing each at one end; lines that are drawn, slashes that cut, marks that come and go.
 REAL = (
+    "dev-silhouette-04",
+    "dev-silhouette-20",
+    "dev-articulated-16",
+    "dev-holes-08",
+    "labelled-20",
     "icons-05",
     "icons-06",
     "icons-17",
     "icons-37",
-    "icons-46",
     "icons-47",
     "icons-48",
     "emoji-05",
+    "emoji-40",
     "dev-multipart-06",
 )
+
+CUTS = ("icons-45", "icons-46")
 
 
 def fastest(movement: Movement) -> float:
@@ -72,7 +87,7 @@ def _runs(part: Part, times: Floats) -> Floats:
 
 def moved(first: Path, last: Path) -> Movement:
     a, b = (read_svg(place.read_bytes(), place.name) for place in (first, last))
-    return prepare(a, b, Options(folds="allow")).movement
+    return prepare(a, b).movement
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -81,8 +96,9 @@ def test_nothing_jumps_in_the_gallery(pair: tuple[str, str]) -> None:
     assert fastest(moved(a, b)) <= BOUND
 
 
-@pytest.mark.parametrize("name", REAL)
-def test_nothing_jumps_in_scenes(corpus: Path, name: str) -> None:
+@pytest.mark.parametrize("name", REAL + CUTS)
+def test_nothing_jumps_in_the_corpus(corpus: Path, name: str) -> None:
     listed = json.loads((corpus / "pairs.json").read_text("utf-8"))
     (pair,) = (each for each in listed if each["id"] == name)
-    assert fastest(moved(corpus / pair["a"], corpus / pair["b"])) <= BOUND
+    bound = CUT_BOUND if name in CUTS else BOUND
+    assert fastest(moved(corpus / pair["a"], corpus / pair["b"])) <= bound

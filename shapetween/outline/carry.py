@@ -28,6 +28,12 @@ REMOVED, LEFT_ALONE = np.deg2rad(90.0), np.deg2rad(150.0)
 #: curves of a tip cross, seen from near.
 SHARPEST = np.deg2rad(165.0)
 
+#: Ratio of the shorter to the longer handle of a joint up to which the longer one takes less of its
+#: turn, the shorter one the more: as a handle shrinks to nothing its direction may swing right
+#: round, and with the same ratio at all times the longer one would run after it in an instant.
+#: Smaller, and it does run; larger, and handles that say where the outline goes are turned alone.
+SHORT = 0.1
+
 #: Share of its length that a curve's handles may lie off its chord and the curve count as a line.
 STRAIGHT = 1e-3
 
@@ -267,13 +273,24 @@ class Joints:
         alone = np.clip(np.abs(excess) / REMOVED - 1.0, 0.0, 1.0) * (self._shares > 0).all(axis=0)
         over = excess - np.copysign(np.minimum(np.abs(excess), back), excess)
         excess = np.where(self._slack, over, excess * fade * fade * (3 - 2 * fade))
-        for piece, end, handle, share in (
-            (self._before, 3, 2, self._shares[0] + alone * self._shares[1]),
-            (self._after, 0, 1, (alone - 1) * self._shares[1]),
-        ):
-            pivot = curves[:, piece, end]
-            arm = curves[:, piece, handle] - pivot
-            curves[:, piece, handle] = pivot + np.exp(1j * share * excess) * arm
+        shares = self._shares[0] + alone * self._shares[1], (1 - alone) * self._shares[1]
+        handles = (self._before, 3, 2), (self._after, 0, 1)
+        arms = [curves[:, piece, k] - curves[:, piece, end] for piece, end, k in handles]
+        turns = self._by_length(shares, (np.abs(arms[0]), np.abs(arms[1])))
+        for (piece, end, k), arm, turn in zip(handles, arms, (turns[0], -turns[1]), strict=True):
+            curves[:, piece, k] = curves[:, piece, end] + np.exp(1j * turn * excess) * arm
+
+    def _by_length(
+        self, shares: tuple[Floats, Floats], lengths: tuple[Floats, Floats]
+    ) -> tuple[Floats, Floats]:
+        """What each handle turns by where one of the two is far shorter, shares of the excess."""
+        both = (self._shares > 0).all(axis=0)
+        left = []
+        for share, own, other in zip(shares, lengths, lengths[::-1], strict=True):
+            long = (SHORT * own > other) & both
+            kept = np.divide(other, SHORT * own, out=np.ones_like(own), where=long)
+            left.append(share * (1 - kept))
+        return shares[0] - left[0] + left[1], shares[1] - left[1] + left[0]
 
 
 def _folded(curves: Curves) -> Mask:

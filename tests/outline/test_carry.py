@@ -205,6 +205,40 @@ def test_no_handle_leaps_where_one_turns_all_the_way_round(
         assert steps <= 6 * 3 * np.deg2rad(0.1)
 
 
+def _joint(bend: float, length: float) -> Curves:
+    """Two curves that meet in the origin, the second of which leaves it at an angle in degrees."""
+    way = as_points(np.exp(1j * np.deg2rad(bend)))
+    first = np.array([[-3.0, 0], [-2, 0.5], [-1, 0], [0, 0]])
+    return np.stack([first, np.stack([0 * way, length * way, [2, -0.5], [3, 0]])])
+
+
+@pytest.mark.parametrize("length", [1e-2, 1e-4, 1e-6])
+def test_no_long_handle_runs_after_one_that_shrinks_to_nothing(length: float) -> None:
+    """A handle of hardly any length swings round in an instant; only it itself is turned back."""
+    source, target = _joint(-19.0, 1.0), _joint(12.0, length)
+    joints = Joints.of(source, target, closed=False)
+    times = 1 - np.append(np.geomspace(1e-1, 1e-8, 900), 0.0)
+    moved = as_complex(source + times[:, None, None, None] * (target - source))
+    swing = np.angle(moved[-1, 1, 1] / moved[0, 1, 1])
+    assert abs(swing) > np.deg2rad(10)
+    joints.smooth(moved, times)
+    speeds = np.abs(np.diff(moved, axis=0)).max(axis=(1, 2)) / np.diff(times)
+    assert speeds.max() <= 3 * np.abs(target - source).max()
+
+
+@pytest.mark.parametrize(
+    ("ratio", "shares"), [(0.5, (0.5, 0.5)), (0.15, (0.5, 0.5)), (0.05, (0.25, 0.75))]
+)
+def test_handles_share_a_turn_evenly_unless_one_is_far_shorter(
+    ratio: float, shares: tuple[float, float]
+) -> None:
+    joints = Joints.of(_joint(0.0, 1.0), _joint(0.0, 1.0), closed=False)
+    moved = as_complex(_joint(10.0, ratio)[None])
+    joints.smooth(moved, np.array([0.5]))
+    turned = np.angle(-moved[0, 0, 2]), np.deg2rad(10) - np.angle(moved[0, 1, 1])
+    np.testing.assert_allclose(turned, np.deg2rad(10) * np.array(shares), atol=1e-9)
+
+
 @settings(max_examples=20)
 @given(seeds)
 def test_a_handle_that_grows_from_nothing_turns_no_tip(seed: int) -> None:
