@@ -11,15 +11,15 @@ __all__ = ["inkscape"]
 
 
 @click.command(epilog="Example:  shapetween inkscape --install")
-@click.option("--install", "task", flag_value="install", help="Put the extension there.")
-@click.option("--uninstall", "task", flag_value="uninstall", help="Take it away again.")
+@click.option("--install", "put", is_flag=True, help="Put the extension there.")
+@click.option("--uninstall", "take", is_flag=True, help="Take it away again.")
 @click.option(
     "--folder",
     type=PATH,
     metavar="DIR",
     help="Inkscape's folder for extensions.  [default: the one that Inkscape names]",
 )
-def inkscape(task: str | None, folder: Path | None) -> None:
+def inkscape(put: bool, take: bool, folder: Path | None) -> None:
     """Make in-betweens inside Inkscape: an extension that calls this program.
 
     After a new start of Inkscape it is under Extensions > Generate from Path.
@@ -27,10 +27,10 @@ def inkscape(task: str | None, folder: Path | None) -> None:
     from shapetween.inkscape import extensions_folder, install, uninstall
 
     place = extensions_folder() if folder is None else folder
-    if task is None:
-        raise OptionError(f"expected --install or --uninstall; the folder is {place}")
-    done = install(place) if task == "install" else uninstall(place)
+    if put == take:
+        raise OptionError(f"expected either --install or --uninstall; the folder is {place}")
+    done = install(place) if put else uninstall(place)
     for path in done:
-        click.echo(f"{'wrote' if task == 'install' else 'removed'} {path}")
+        click.echo(f"{'wrote' if put else 'removed'} {path}")
     if not done:
         click.echo(f"there was nothing to remove in {place}")

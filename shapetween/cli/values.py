@@ -1,6 +1,7 @@
 """What options take: how a value is read, and how a wrong one is answered."""
 
 import math
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,7 @@ import click
 
 from shapetween.timing.defaults import MOST_KEYFRAMES
 
-__all__ = ["PATH", "Keyframes", "Name", "Real", "Size", "Whole"]
+__all__ = ["PATH", "Keyframes", "Name", "Real", "Size", "Whole", "nearest"]
 
 PATH = click.Path(path_type=Path)
 
@@ -51,6 +52,15 @@ class Whole(click.IntRange):
         return number
 
 
+def nearest(word: str, choices: Iterable[str]) -> str:
+    """What to say to a word that is none of some: the most like it, else all of them."""
+    import difflib  # only for what is misspelt
+
+    known = tuple(choices)
+    near = difflib.get_close_matches(word, known, n=1, cutoff=0.4)
+    return f"did you mean {near[0]}?" if near else f"expected {', '.join(known)}"
+
+
 class Name(click.ParamType[Any]):
     """One of a few names; a wrong one is answered with the nearest."""
 
@@ -67,11 +77,7 @@ class Name(click.ParamType[Any]):
         """Check the name."""
         if value in self.choices:
             return value
-        import difflib  # only for what is misspelt
-
-        near = difflib.get_close_matches(str(value), self.choices, n=1, cutoff=0.4)
-        hint = f"did you mean {near[0]}?" if near else f"expected {', '.join(self.choices)}"
-        return self.fail(f"{value!r} is not known; {hint}")
+        return self.fail(f"{value!r} is not known; {nearest(str(value), self.choices)}")
 
 
 class Keyframes(click.ParamType[Any]):

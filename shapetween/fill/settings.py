@@ -144,7 +144,7 @@ class FillSettings:
                 ax, ay, bx, by = pin.tolist()
                 raise OptionError(
                     f"pin {k + 1} ({ax:g},{ay:g} to {bx:g},{by:g} in the first drawing's units): "
-                    "does not lie on two outlines that become each other"
+                    "does not lie on two outlines that become each other; expected a place on each"
                 )
         if self.choice > 1 and not self.claimed.choice:
             raise OptionError(

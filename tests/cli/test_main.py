@@ -40,7 +40,9 @@ def test_no_command_shows_the_help(run: Command) -> None:
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("moprh a.svg b.svg", "No such command 'moprh'"),
+        ("moprh a.svg b.svg", "No such command 'moprh'; did you mean morph?"),
+        ("zzz", "expected morph, frames, mesh"),
+        ("inkscape --install --uninstall --folder .", "either --install or --uninstall"),
         ("--nope", "No such option"),
         ("morph a.svg", "Missing argument 'B'"),
         ("morph a.svg b.svg --durration 3", "--duration"),

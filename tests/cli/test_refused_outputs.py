@@ -3,12 +3,18 @@
 Every line names what is wrong and what was expected or would do instead.
 """
 
+import os
+import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
-from tests.cli.commands import SQUARE, TRIANGLE, Command, svg
+from tests.cli.commands import SQUARE, TRIANGLE, Command, listing, svg
 from tests.cli.test_bad_input import assert_refused
+
+ROOT = Path(__file__).resolve().parents[2]
 
 #: Drawings that some formats have no place for, by name.
 DRAWINGS = {
@@ -98,7 +104,39 @@ def test_it_is_one_line_and_nothing_is_written(
     for name, content in DRAWINGS.items():
         (tmp_path / name).write_text(svg(content), "utf-8")
     assert TRIANGLE in (tmp_path / "b.svg").read_text("utf-8")
-    assert_refused(run, line if line.startswith("morph ") else f"morph a.svg b.svg {line}", says)
+    command = line if line.startswith("morph ") else f"morph a.svg b.svg {line}"
+    assert_refused(run, command, says)
+    for name in re.findall(r"\bo(?:\.\w+)?$", line):  # where a file is, it stays
+        (tmp_path / name).write_text("as it was", "utf-8")
+        assert_refused(run, command, says)
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [*REFUSED[::12], ("morph a.svg none.svg -o o.svg", "none.svg: there is no such file")],
+    ids=lambda value: value,
+)
+def test_so_it_is_in_a_process_of_its_own(tmp_path: Path, line: str, says: str) -> None:
+    for name, content in {"a.svg": SQUARE, "b.svg": TRIANGLE, **DRAWINGS}.items():
+        (tmp_path / name).write_text(svg(content), "utf-8")
+    (tmp_path / "o.svg").write_text("as it was", "utf-8")
+    before = listing(tmp_path)
+    command = line if line.startswith("morph ") else f"morph a.svg b.svg {line}"
+    ended = subprocess.run(
+        [sys.executable, "-m", "shapetween", *command.split()],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert ended.returncode == 2
+    assert not ended.stdout
+    assert ended.stderr.startswith("shapetween: error: ")
+    assert ended.stderr.count("\n") == 1
+    assert says in ended.stderr
+    assert listing(tmp_path) == before
 
 
 @pytest.mark.parametrize("ending", [".svg", ".json", ".lottie", ".css", ".xml", ".mjs", ".html"])
