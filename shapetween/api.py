@@ -171,7 +171,8 @@ class Chain(Moving):
 
     def report(self) -> dict[str, Any]:
         """How each leg was found and what is known of its quality, ready for JSON."""
-        return report.build_chain([leg.report() for leg in self.legs], self.names, self.warnings)
+        legs = [leg.report() for leg in self.legs]
+        return report.build_chain(legs, self.names, self.warnings, self.notices)
 
 
 def morph(

@@ -31,6 +31,7 @@ from shapetween.scene.items import Item, in_view, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.drawings import kept_drawings
 from shapetween.scene.limbs import with_limbs
+from shapetween.scene.limits import limits_of_items
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.mouths import mouth_track
@@ -251,6 +252,8 @@ def _moved(
         )
         notices = (*notices, *out, *more)
     one, other = joined_lines(one), joined_lines(other)
+    if not settings.meshed:
+        notices = (*notices, *limits_of_items(one, other))
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
         with settings.observe("perceive"):
             kept = kept_drawings(one, other, asked.groups)
@@ -275,7 +278,8 @@ def _moved(
         track, moved = morph_fill(shapes[0], shapes[1], settings, names, alone=True)
         styles = shapes[0].style, shapes[1].style
         motion = track.whole_motion() if any(map(has_gradient, styles)) else None
-        return (Part(track.name, (track,), BlendedPaint(styles, motion)),), (track,), moved, None
+        parts = (Part(track.name, (track,), BlendedPaint(styles, motion)),)
+        return parts, (track,), (*notices, *moved), None
     return _scene((one, other), boxes, asked, settings, names, notices)
 
 

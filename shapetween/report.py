@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from shapetween.base.notices import Notice
 from shapetween.base.version import installed_version
 from shapetween.geometry.homography import homogeneous_weights, quad_homographies
 from shapetween.geometry.polygon import corner_sines
@@ -36,12 +37,13 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
         for ring in body.nodes.rings
         if not ring.hole
     ]
-    lone = prepared.scene is None and len(outer) == 1
+    alone = prepared.scene is None and len(outer) == 1
+    unmeshed = () if prepared.scene is None else prepared.scene.unmeshed
     return {
         "version": installed_version(),
         "method": method,
         "rings": [
-            _ring(part.name, body, ring, lone=lone and not ring.hole)
+            _ring(part.name, body, ring, alone=alone and not ring.hole)
             for part in prepared.meshed
             for body in part.bodies
             for ring in body.nodes.rings
@@ -49,12 +51,15 @@ def build(prepared: Prepared, method: str) -> dict[str, Any]:
         "parts": [] if prepared.scene is None else _parts(prepared.scene),
         "riding": [],  # empty: the key stays for one version
         "warnings": list(prepared.warnings),
-        "notices": [notice.as_json() for notice in prepared.notices],
+        "notices": [notice.as_json() for notice in (*prepared.notices, *unmeshed)],
     }
 
 
 def build_chain(
-    legs: Sequence[dict[str, Any]], names: Sequence[str], warnings: Sequence[str]
+    legs: Sequence[dict[str, Any]],
+    names: Sequence[str],
+    warnings: Sequence[str],
+    notices: Sequence[Notice],
 ) -> dict[str, Any]:
     """Everything known of movements that follow each other.
 
@@ -65,7 +70,8 @@ def build_chain(
     names : sequence of str
         What the drawings are called, one more than legs.
     warnings : sequence of str
-        Of all legs.
+    notices : sequence of Notice
+        Of all legs, as the warnings are.
     """
     return {
         "version": legs[0]["version"],
@@ -75,10 +81,11 @@ def build_chain(
             for leg, (start, end) in zip(legs, pairwise(names), strict=True)
         ],
         "warnings": list(warnings),
+        "notices": [notice.as_json() for notice in notices],
     }
 
 
-def _ring(name: str, body: Carried, ring: RingMatch, *, lone: bool) -> dict[str, Any]:
+def _ring(name: str, body: Carried, ring: RingMatch, *, alone: bool) -> dict[str, Any]:
     matching = ring.matching
     return {
         "name": name,
@@ -100,7 +107,7 @@ def _ring(name: str, body: Carried, ring: RingMatch, *, lone: bool) -> dict[str,
             "runner_up": _number(matching.runner_up),
             "confidence": matching.confidence,
         },
-        **({"alternatives": _alternatives(ring)} if lone else {}),
+        **({"alternatives": _alternatives(ring)} if alone else {}),
     }
 
 

@@ -8,6 +8,7 @@ __all__ = ["Kind", "Notice", "distinct"]
 
 Kind: TypeAlias = Literal[
     "file",
+    "format",
     "outlined-anew",
     "uncertain",
     "other-matching",
@@ -23,6 +24,7 @@ Kind: TypeAlias = Literal[
     "one-setting",
     "too-many-parts",
     "by-corners",
+    "no-mesh",
     "stroke-outline",
     "facing",
     "exchanged",
@@ -31,7 +33,8 @@ Kind: TypeAlias = Literal[
 ]
 """What a notice is about.
 
-file: something in the file cannot be carried. outlined-anew: an outline crosses itself and was
+file: something in the file cannot be carried. format: something of the movement cannot be held by
+the format that is written, or less closely. outlined-anew: an outline crosses itself and was
 replaced by what it shows. uncertain: matched with little certainty. other-matching: not the best
 matching was taken. parted: strands that would cross are kept apart. crossing, details-touch:
 outlines or small details of them cross on the way. coarse: matched or moved by a simplified
@@ -39,10 +42,10 @@ outline. bare-mesh: nothing keeps the outline from folding. too-many-pieces, too
 are moved more simply. hole-alone: a hole that has a counterpart cannot be matched with it. apart:
 pieces are not kept from each other. one-setting: less is tried to keep an outline from crossing.
 too-many-parts: some of what is seen of smaller drawings is not looked for. by-corners: an outline
-moves by its corners where a mesh was due. stroke-outline: the area of a stroke does not follow its
-line. facing: the drawings seem to face opposite ways. exchanged: the drawings have
-too little in common for their parts to become each other. outside: shapes outside of the view are
-left out.
+moves by its corners where a mesh was due. no-mesh: the report has no mesh of a pair.
+stroke-outline: the area of a stroke does not follow its line. facing: the drawings seem to face
+opposite ways. exchanged: the drawings have too little in common for their parts to become each
+other. outside: shapes outside of the view are left out.
 """
 
 

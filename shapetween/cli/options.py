@@ -220,6 +220,7 @@ class Common:
             with run("check"):
                 report = result.report()
             report["warnings"] += made.warnings
+            report["notices"] += [notice.as_json() for notice in made.notices]
             report["seconds"] = {stage: round(value, 4) for stage, value in run.seconds.items()}
         with ExitStack() as stack:  # the report appears only once the output has been written
             if self.report is not None:

@@ -101,7 +101,7 @@ def vector_drawable(
             layers += made
             warnings += [f"{name}: {loss}" for loss in lost]
     layers = _named(layers)
-    return Written(_document(layers, grid), tuple(dict.fromkeys(warnings)))
+    return Written.of(_document(layers, grid), warnings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +128,7 @@ def _part_layers(
     texts = form.texts(grid.cells(form.points(keys.curves)), 0)
     times = [window.at(clock) for clock in keys.clock.tolist()]
     data = tuple(_runs(times, texts))
-    losses = _losses(styles)
+    losses = [*_losses(styles), *keys.losses]
     if max(map(len, texts), default=0) > LONGEST:
         losses.append(f"its path is longer than the {LONGEST} bytes that Android takes")
     layers: list[_Layer] = []

@@ -68,7 +68,7 @@ def css(segments: Segments, options: WriteOptions, observe: Observer = unobserve
         styles = plain_styles(part, easing(PAINT_TIMES).tolist())
         track = style_tracks(styles)[0].styles
         evenodd = any(style.fill_rule == "evenodd" for style in styles)
-        warnings += _losses(styles)
+        warnings += [*_losses(styles), *keys.losses]
         if not _reference(track):
             warnings += colour_losses(segments.movements, ".css")
 
@@ -82,7 +82,7 @@ def css(segments: Segments, options: WriteOptions, observe: Observer = unobserve
         for declared, clock in _paint(track, page.paint):
             rules.setdefault(place(clock), []).append(declared)
     name = identifier(segments.name, "morph")
-    return Written(_sheet(name, page, rules, plan, options), tuple(dict.fromkeys(warnings)))
+    return Written.of(_sheet(name, page, rules, plan, options), warnings)
 
 
 @dataclass(frozen=True, slots=True)

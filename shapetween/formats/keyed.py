@@ -10,7 +10,7 @@ from shapetween.formats.sampled import Sampled, enough_times, sampled
 from shapetween.model.part import Part
 from shapetween.timing.easing import Easing, even_times
 from shapetween.timing.fitted import fitted_keyframes
-from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE, looser_keyframes
 
 __all__ = ["Keyed", "keyed"]
 
@@ -31,11 +31,14 @@ class Keyed:
         When each keyframe is, from 0 to 1; one alone if the part stands still.
     curves : (M, N, 4, 2) float64
         Control points, those of lines on their ends; first and last exactly the movement's.
+    losses : tuple of str
+        What there is to tell of how closely it is told.
     """
 
     shape: Sampled
     clock: Floats
     curves: Curves
+    losses: tuple[str, ...] = ()
 
 
 def keyed(part: Part, options: WriteOptions, size: float, easing: Easing = np.asarray) -> Keyed:
@@ -60,9 +63,10 @@ def keyed(part: Part, options: WriteOptions, size: float, easing: Easing = np.as
         return Keyed(shape, clock[:1], shape.spread(points[:1]))
     if options.keyframes != "auto":
         return Keyed(shape, clock, shape.spread(points))
-    tolerance = KEYFRAME_TOLERANCE * size
+    tolerance, looser = KEYFRAME_TOLERANCE * size, 1.0
     knots, values = fitted_keyframes(points, clock, tolerance)
     while len(knots) > max(LEAST_KEYFRAMES, MOST_WRITTEN // max(sum(shape.rings), 1)):
-        tolerance *= LOOSER
-        knots, values = fitted_keyframes(points, clock, tolerance)
-    return Keyed(shape, knots, shape.spread(values))
+        looser *= LOOSER
+        knots, values = fitted_keyframes(points, clock, looser * tolerance)
+    losses = (looser_keyframes(looser),) if looser > 1 else ()
+    return Keyed(shape, knots, shape.spread(values), losses)

@@ -121,4 +121,4 @@ def _drawn(
         frames = film.frames(order, workers())
         write(path, counted(frames, len(order), observe), clock)
 
-    return Written(put, (*film.warnings, *told))
+    return Written.of(put, (*film.warnings, *told))

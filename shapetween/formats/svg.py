@@ -19,6 +19,7 @@ IN_IMG = "an <img> passes no clicks or pointers on to an SVG; put it into the pa
 def animated(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:
     """All of it as the text of one animated SVG."""
     del observe
+    losses = [] if options.start == "load" else [IN_IMG]
     text = smil_svg(
         *segments.movements,
         duration=segments.lengths(options.duration),
@@ -29,9 +30,9 @@ def animated(segments: Segments, options: WriteOptions, observe: Observer = unob
         keyframes=options.keyframes,
         precision=options.precision,
         start=options.start,
+        tell=losses.append,
     )
-    deaf = () if options.start == "load" else (IN_IMG,)
-    return Written(text, deaf)
+    return Written.of(text, losses)
 
 
 def frames(segments: Segments, options: WriteOptions, observe: Observer = unobserved) -> Written:

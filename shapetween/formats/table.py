@@ -4,7 +4,7 @@ A writer is a pure function of a `Segments` and `WriteOptions` to what is `Writt
 file. To add a format, write a module here with such a function, and put it into `WRITERS`.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from importlib import import_module
@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Protocol, TypeAlias
 
 from shapetween.base.errors import OptionError
+from shapetween.base.notices import Notice, distinct
 from shapetween.base.observe import Observer, unobserved
 from shapetween.base.threads import one_thread
 from shapetween.formats.options import WriteOptions, write_names
@@ -45,15 +46,25 @@ class Written:
     ----------
     content : str, bytes or callable
         Of the file.
-    warnings : tuple of str
-        What of the movement its format could not hold, one line each.
+    notices : tuple of Notice
+        What of the movement its format could not hold.
     beside : Mapping
         Texts of files that go with it, by the ending that takes the place of the file's own.
     """
 
     content: Content
-    warnings: tuple[str, ...] = ()
+    notices: tuple[Notice, ...] = ()
     beside: Mapping[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, content: Content, losses: Iterable[str]) -> "Written":
+        """A file and what its format could not hold, each said once."""
+        return cls(content, distinct(Notice("format", loss) for loss in losses))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The notices, one line each."""
+        return tuple(map(str, self.notices))
 
 
 class WriterFunction(Protocol):

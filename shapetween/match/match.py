@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index
+from shapetween.base.ranking import comparable
 from shapetween.match.band import band_path
 from shapetween.match.bends import bends_alike, plainly_the_same
 from shapetween.match.candidate import Candidate, apart, around, away, distinct, follow, near
@@ -199,10 +200,12 @@ class _Comparison:
             return upright.entries
         factors = [self._factor(upright, turned) for turned in tried]
         costs = [factor * turned.best.cost for factor, turned in zip(factors, tried, strict=True)]
-        best = int(np.argmin(costs))
+        # Of two that cost the same but for rounding the first, so of none and one no turn at all.
+        as_drawn, *ranks = comparable([upright.best.cost, *costs]).tolist()
+        best = int(np.argmin(ranks))
         turn, factor = tried[best].frame.turn, factors[best]
         found = upright.entries + tried[best].weighed(factor)
-        if costs[best] < upright.best.cost:
+        if ranks[best] < as_drawn:
             # What is much the same both ways round is laid that way which turns it less.
             about = turn - np.copysign(np.pi, turn)
             factor *= 1 / BOTH_WAYS if abs(about) < abs(turn) else BOTH_WAYS

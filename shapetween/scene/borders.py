@@ -20,7 +20,7 @@ from shapetween.scene.motion.tracks import Blend, OfTrack, Shared
 from shapetween.scene.places import Pieces, Places, cut_alike, run_of
 from shapetween.scene.relations import Scene
 
-__all__ = ["Bordered", "bordered_tracks"]
+__all__ = ["MOST", "Bordered", "bordered_areas", "bordered_tracks"]
 
 #: Distance within which two areas' borders are one, as a share of the drawing. Larger, and what is
 #: drawn at either end is seen to differ from the drawing; smaller, and rounding parts them.
@@ -77,6 +77,11 @@ class Bordered(Leaf):
         return np.asarray(result)
 
 
+def bordered_areas(a: Scene, b: Scene, roles: Roles) -> list[int]:
+    """Pairs of areas that may share their borders."""
+    return [k for k, role in enumerate(roles.pairs) if _plain(role.first, role.second, a, b)]
+
+
 def bordered_tracks(
     a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]
 ) -> dict[int, tuple[CurveTrack, ...]]:
@@ -95,7 +100,7 @@ def bordered_tracks(
         Empty unless all that is filled is one body of such areas, each of which meets the same
         neighbours in the same order at both ends.
     """
-    areas = [k for k, role in enumerate(roles.pairs) if _plain(role.first, role.second, a, b)]
+    areas = bordered_areas(a, b, roles)
     if not 2 <= len(areas) <= MOST or any(_turns(tracks[k]) for k in areas):
         return {}
     ends = [

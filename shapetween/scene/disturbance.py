@@ -105,10 +105,9 @@ def waviness(
     return found
 
 
-def waviest(a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]) -> int:
-    """The pair whose outline turns most beyond its ends."""
-    found = waviness(a, b, roles, tracks)
-    return max(found, key=lambda k: (round(found[k], 9), -k))
+def waviest(waves: Mapping[int, float]) -> int:
+    """The pair whose outline turns most beyond its ends, of what `waviness` finds."""
+    return max(waves, key=lambda k: (round(waves[k], 9), -k))
 
 
 def recoloured(a: Scene, b: Scene, firsts: Index, seconds: Index) -> bool:

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
-from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
-from shapetween.scene.disturbance import holes_apart, intricacy, recoloured, waviness
+from shapetween.scene.disturbance import holes_apart, intricacy, recoloured
 from shapetween.scene.doubtful import CONVEX, filling, nothing_corresponds, share_of_hull
 from shapetween.scene.forms import RoundedBox, Segment
 from shapetween.scene.items import Item
@@ -132,7 +131,7 @@ def too_different(
     b: Scene,
     roles: Roles,
     behind: Behind,
-    tracks: Mapping[int, Sequence[CurveTrack]] | None = None,
+    waves: Mapping[int, float] | None = None,
     most: float | None = None,
 ) -> bool:
     """Whether two drawings are to be exchanged.
@@ -147,8 +146,9 @@ def too_different(
         Who would become whom.
     behind : (mask, mask)
         What `behind_both` finds.
-    tracks : mapping of int to sequence of CurveTrack, optional
-        How each pair would move; without, it is asked whether they differ too much however it does.
+    waves : mapping of int to float, optional
+        The `waviness` of each pair as it would move; without, it is asked whether they differ too
+        much however it does.
     most : float, optional
         What may count against moving.
     """
@@ -167,8 +167,8 @@ def too_different(
         return True
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)
-    if tracks is not None:
-        against += WAVY * max(waviness(a, b, roles, tracks).values(), default=0.0)
+    if waves is not None:
+        against += WAVY * max(waves.values(), default=0.0)
     lines = _in_lines(a, b)
     plain = EXCHANGED_COLOURED if recoloured(a, b, firsts, seconds) else EXCHANGED
     least = most or (EXCHANGED_LINES if lines else plain)

@@ -91,16 +91,18 @@ def _correlation(one: Floats, other: Floats, *, closed: bool) -> Floats:
     return np.asarray(np.maximum(*ways))
 
 
-def scaled_groups(a: Scene, b: Scene) -> list[tuple[int, int]]:
+def scaled_groups(a: Scene, b: Scene) -> list[tuple[int, int]] | None:
     """Who becomes whom where one drawing is in the other one, moved and scaled; else nobody.
 
     An arrow that comes into a circle is, and so is a bell that makes room for a badge. What the
-    other one has beside it does not matter.
+    other one has beside it does not matter. None where there is too much to look for it.
     """
     if len(a.items) * len(b.items) > MOST_LOOKED:
-        return []
+        return None
     firsts, seconds = np.nonzero(_of_one_form(a, b))
-    if not 1 < len(firsts) <= MOST_ALIKE:
+    if len(firsts) > MOST_ALIKE:
+        return None
+    if len(firsts) < 2:
         return []
     reach = [np.array([np.hypot(*np.ptp(item.box, axis=0)) for item in s.items]) for s in (a, b)]
     share = [np.array([item.length + item.width for item in s.items]) for s in (a, b)]

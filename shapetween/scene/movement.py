@@ -17,9 +17,9 @@ from shapetween.fill.track import FillTrack, fills_of
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
-from shapetween.scene.attachments import MOST_ENDS, kept_to
+from shapetween.scene.attachments import kept_to
 from shapetween.scene.borders import bordered_tracks
-from shapetween.scene.disturbance import waviest
+from shapetween.scene.disturbance import waviest, waviness
 from shapetween.scene.exchange import (
     LEFT,
     behind_both,
@@ -27,16 +27,16 @@ from shapetween.scene.exchange import (
     exchange_roles,
     too_different,
 )
-from shapetween.scene.features import MOST_ITEMS
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
+from shapetween.scene.limits import limits_of_pairs
 from shapetween.scene.motion.tracks import Frame, Shared
 from shapetween.scene.paint_order import Layer, layers_of
 from shapetween.scene.pairing import Paired, pair_items
 from shapetween.scene.pairs import main_pairs, of_one_kind, pair_tracks
 from shapetween.scene.parts import PairPaint, joined_parts, pair_part
 from shapetween.scene.relations import Scene, perceive
-from shapetween.scene.strokes.outlined import MOST_AREAS, as_painted, stroke_notice, too_many_areas
+from shapetween.scene.strokes.outlined import as_painted, stroke_notice
 from shapetween.scene.unmatched.choose import goings_between
 from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.part import unmatched_part
@@ -85,11 +85,21 @@ class SceneMovement:
         """What of the parts the outline engine moves, in paint order."""
         return fills_of(track for part in self.parts for track in part.tracks)
 
-    @cached_property
+    @property
     def meshed(self) -> tuple[FillTrack, ...]:
         """Every pair of areas as the outline engine would move it, in the order of their roles."""
+        return self._meshed[0]
+
+    @property
+    def unmeshed(self) -> tuple[Notice, ...]:
+        """Of which of them there is no mesh, and why."""
+        return self._meshed[1]
+
+    @cached_property
+    def _meshed(self) -> tuple[tuple[FillTrack, ...], tuple[Notice, ...]]:
         settings = replace(self.settings, pins=np.zeros((0, 4)), claimed=Claimed(), meshed=True)
         found: list[FillTrack] = []
+        failed: list[Notice] = []
         scenes, roles, tracks = self.scenes, self.roles, self.tracks
         if self.matched is not None:
             scenes, roles, tracks = *self.matched, {}
@@ -108,9 +118,10 @@ class SceneMovement:
             try:
                 shapes = one.as_shape, other.as_shape
                 found.append(morph_fill(*shapes, settings, ("", ""), alone=False)[0])
-            except OutlineError:
-                continue
-        return tuple(found)
+            except OutlineError as error:
+                name = one.name or other.name
+                failed.append(Notice("no-mesh", str(error), name, "it has no mesh", "note"))
+        return tuple(found), tuple(failed)
 
 
 def move_scene(
@@ -144,15 +155,17 @@ def move_scene(
             exchange = asked.exchange == "always" or too_different(a, b, roles, behind)
         if not exchange:
             tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
-            exchange = may and too_different(a, b, roles, behind, tracks)
+            waves = waviness(a, b, roles, tracks) if may else {}
+            exchange = may and too_different(a, b, roles, behind, waves)
             if exchange:
                 # One pair that tears on its way is given up, if the rest is reason enough to move.
-                worst = waviest(a, b, roles, tracks)
+                worst = waviest(waves)
                 fewer = roles.without({worst} if roles.pairs[worst].reason == "matched" else ())
                 if not too_different(a, b, fewer, behind, most=LEFT):
                     roles = fewer
                     tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
-                    exchange = too_different(a, b, roles, behind, tracks)
+                    waves = waviness(a, b, roles, tracks)
+                    exchange = too_different(a, b, roles, behind, waves)
         if exchange:
             matched = (a, b), roles
             a, b = perceive(first, views[0]), perceive(second, views[1])
@@ -181,7 +194,7 @@ def move_scene(
             parts.append(part if part.name not in named else replace(part, name=""))
             named.add(part.name)
     notices += [notice for _, _, own in drawn for notice in own]
-    notices += _limits(a, b, roles)
+    notices += [*paired.notices, *limits_of_pairs(a, b, roles)]
     return SceneMovement(
         tuple(parts), (a, b), roles, distinct(notices), tracks, settings, frame, matched
     )
@@ -244,15 +257,3 @@ def _part(
         item, going, end = b.items[layer.appearing], goings[1][layer.appearing], End.TARGET
     part, notices = unmatched_part(item, going, end, frame)
     return part, None, notices
-
-
-def _limits(a: Scene, b: Scene, roles: Roles) -> list[Notice]:
-    """What to tell where there is too much for all that is done with few parts."""
-    found = []
-    if any(too_many_areas(scene.items) for scene in (a, b)):
-        found.append(f"of more than {MOST_AREAS} areas none is looked for strokes")
-    if max(len(a.items), len(b.items)) > MOST_ITEMS:
-        found.append(f"of more than {MOST_ITEMS} parts none is looked for faces and wheels")
-    if len(roles.pairs) > MOST_ENDS:
-        found.append(f"of more than {MOST_ENDS} pairs lines do not keep to what they end on")
-    return [Notice("too-many-parts", text, severity="note") for text in found]

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Mask, Points
+from shapetween.base.notices import Notice
 from shapetween.base.observe import Observer, unobserved
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Asked, Group
@@ -32,6 +33,14 @@ ALL_OF = 0.03
 #: the back of a folder is; smaller, and the corner of a table becomes a stroke of an x.
 GAP = 0.4
 
+#: What is told of drawings of too many pairs.
+UNSCALED = Notice(
+    "too-many-parts",
+    "of so many parts it is not looked for whether one drawing is in the other, moved and scaled",
+    instead="each becomes what is like it",
+    severity="note",
+)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Paired:
@@ -48,6 +57,8 @@ class Paired:
         The pair that each pin is on.
     still : dict of (int, int) to tuple of CurveTrack
         Pairs of which most stays where it is, and how the rest moves.
+    notices : tuple of Notice
+        What was not looked for.
     """
 
     scenes: tuple[Scene, Scene]
@@ -55,6 +66,7 @@ class Paired:
     frame: Frame | None
     pinned: dict[int, tuple[int, int]]
     still: dict[tuple[int, int], tuple[CurveTrack, ...]]
+    notices: tuple[Notice, ...] = ()
 
 
 def pair_items(
@@ -85,8 +97,10 @@ def pair_items(
         if frame is not None:
             b = perceive(moved_items(b, frame), views[1])
     with observe("match"):
-        moved = [] if asked.groups or len(asked.pins) or kept or frame else scaled_groups(a, b)
+        free = not (asked.groups or len(asked.pins) or kept or frame)
+        moved = scaled_groups(a, b) if free else []
         cut = Cut((a, b), ()) if moved else cut_alike_items(a, b, views, asked.groups)
+        notices = (*cut.notices, *(() if moved is not None else (UNSCALED,)))
         a, b = cut.scenes
         still = {_places_of(area, a, b): area.tracks for area in kept}
         fixed, barred = _fixed(a, b, asked.groups)
@@ -97,7 +111,7 @@ def pair_items(
         fixed += [pair for pair in cut.given if not barred[pair]]
         barred |= other_letters(a, b)
         if not fixed and not barred.any() and frame is None:
-            fixed = lines_that_slide(a, b) or moved
+            fixed = lines_that_slide(a, b) or moved or []
         roles = assign(a, b, fixed, barred, asked.price)
         roles = replace(
             roles,
@@ -106,7 +120,7 @@ def pair_items(
                 for role in roles.pairs
             ),
         )
-    return Paired((a, b), roles, frame, pinned, still)
+    return Paired((a, b), roles, frame, pinned, still, notices)
 
 
 def _rests(cut: Cut) -> Mask:

@@ -4,7 +4,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index
 
-__all__ = ["KEYFRAME_TOLERANCE", "keyframes"]
+__all__ = ["KEYFRAME_TOLERANCE", "keyframes", "looser_keyframes"]
 
 #: Coordinates that are looked at in one go. More no longer fit in a processor's cache; with fewer
 #: most of the time goes to calls.
@@ -14,6 +14,14 @@ AT_ONCE = 20_000
 #: box's larger side: 0.18 px at 1000 px, which with the default rounding stays within a quarter of
 #: a pixel. Larger and the in-betweens drift visibly; smaller and the file grows for nothing seen.
 KEYFRAME_TOLERANCE = 1.8e-4
+
+
+def looser_keyframes(looser: float) -> str:
+    """What to tell of outlines too long for as many keyframes as the tolerance asks for."""
+    return (
+        f"between keyframes long outlines may be {looser:.2g} times as far off as usual; more "
+        "keyframes would be too much for players"
+    )
 
 
 def keyframes(samples: Floats, times: Floats, tolerance: float, most: int | None = None) -> Index:

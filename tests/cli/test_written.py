@@ -1,5 +1,6 @@
 """The command line and the library write in one way."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -7,7 +8,7 @@ import pytest
 
 import shapetween as st
 from shapetween.formats.table import WRITERS
-from tests.cli.commands import Command
+from tests.cli.commands import SQUARE, Command, svg
 
 
 @pytest.mark.parametrize("ending", sorted(WRITERS))
@@ -45,3 +46,13 @@ def test_an_svg_waits_for_what_it_is_told_to(run: Command, tmp_path: Path) -> No
     assert refused.code == 2
     assert len(refused.err.splitlines()) == 1
     assert not refused.made
+
+
+def test_what_a_format_cannot_hold_is_told_and_reported(run: Command, tmp_path: Path) -> None:
+    shade = '<linearGradient id="g"><stop/><stop offset="1" stop-color="red"/></linearGradient>'
+    (tmp_path / "a.svg").write_text(svg(shade + SQUARE.replace("<path", '<path fill="url(#g)"')))
+    done = run("morph a.svg b.svg -o out.css --report report.json")
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    (told,) = [notice for notice in report["notices"] if notice["kind"] == "format"]
+    assert told["message"] in report["warnings"]
+    assert told["message"] in done.err

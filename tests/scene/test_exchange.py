@@ -11,6 +11,7 @@ from shapetween import Morph, morph
 from shapetween.base.arrays import Curves, Floats
 from shapetween.model.part import Change, CurveTrack
 from shapetween.scene.assign import Role, Roles, assign
+from shapetween.scene.disturbance import waviness
 from shapetween.scene.exchange import behind_both, difference, too_different
 from shapetween.scene.items import items_of
 from shapetween.scene.relations import perceive
@@ -323,7 +324,7 @@ def test_what_gets_wavy_on_its_way_is_exchanged(
         k: (Waving(deep),) for k in range(len(roles.pairs))
     }
     assert not too_different(a, b, roles, behind)
-    assert too_different(a, b, roles, behind, tracks) == exchanged
+    assert too_different(a, b, roles, behind, waviness(a, b, roles, tracks)) == exchanged
 
 
 WALL = '<path d="M10 {y}h80v{h}h-80z{holes}" fill="#234"/><path d="M{x} 4h20v10z" fill="#234"/>'

@@ -8,14 +8,16 @@ import pytest
 import shapetween as st
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.scene import attachments, movement
-from shapetween.scene.kept import areas
+from shapetween.scene import attachments, borders, features, likeness, limbs, movement
+from shapetween.scene.cuts import lines
+from shapetween.scene.kept import areas, drawings
 from shapetween.scene.motion import choose
 from shapetween.scene.strokes import outlined
 from shapetween.scene.unmatched import part
 
 ICON = 'fill="none" stroke="#000" stroke-width="2"'
 INPUTS = Path(__file__).resolve().parents[2] / "gallery/inputs"
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {style}>{inner}</svg>'
 DOT = '<circle cx="2" cy="2" r="1" fill="#f00"/>'
 SOLID = '<path d="M3 3h18v12h-6v6h-6v-6h-6z"/>'
 #: A check mark and an arrow's head, as areas.
@@ -27,10 +29,7 @@ def told(tmp_path: Path, first: str, second: str, style: str = "") -> dict[str, 
     paths = []
     for name, inner in (("a.svg", first), ("b.svg", second)):
         paths.append(tmp_path / name)
-        text = inner
-        if not inner.startswith("<svg"):
-            root = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {style}>'
-            text = f"{root}{inner}</svg>"
+        text = inner if inner.startswith("<svg") else SVG.format(style=style, inner=inner)
         paths[-1].write_text(text, "utf-8")
     return {notice.kind: notice for notice in st.morph(*paths).prepared.notices}
 
@@ -53,23 +52,52 @@ def test_areas_too_many_to_be_kept_in_part(
 def test_areas_too_many_to_be_looked_for_strokes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in (outlined, movement):
-        monkeypatch.setattr(module, "MOST_AREAS", 0)
+    monkeypatch.setattr(outlined, "MOST_AREAS", 0)
     assert "strokes" in told(tmp_path, CHECK, HEAD)["too-many-parts"].message
 
 
 @pytest.mark.parametrize(
     ("module", "limit", "says"),
-    [(movement, "MOST_ITEMS", "faces"), (attachments, "MOST_ENDS", "lines")],
+    [
+        (features, "MOST_ITEMS", "faces"),
+        (attachments, "MOST_ENDS", "end on"),
+        (likeness, "MOST_LOOKED", "scaled"),
+        (likeness, "MOST_ALIKE", "scaled"),
+        (drawings, "MOST_RINGS", "slide"),
+        (lines, "MOST", "along each other"),
+    ],
 )
 def test_parts_too_many_for_what_is_done_with_few(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: object, limit: str, says: str
 ) -> None:
-    for one in (module, movement):
-        monkeypatch.setattr(one, limit, 0)
-    lines = '<path d="M4 5h16"/><path d="M4 12h16"/>'
-    moved = '<path d="M4 7h16"/><path d="M4 14h12"/>'
-    assert says in told(tmp_path, lines, moved, ICON)["too-many-parts"].message
+    drawn = '<path d="M4 5h16"/><path d="M4 12h16"/><path d="M4 19h8v-3"/>'
+    moved = '<path d="M4 7h16"/><path d="M4 14h12"/><path d="M4 19h8v-5"/>'
+    assert not told(tmp_path, drawn, moved, ICON)
+    monkeypatch.setattr(module, limit, 0)
+    notice = told(tmp_path, drawn, moved, ICON)["too-many-parts"]
+    assert says in notice.message
+    assert notice.severity == "note"
+
+
+@pytest.mark.parametrize(
+    ("module", "limit", "says"),
+    [
+        (borders, "MOST", "common borders"),
+        (limbs, "MOST_ITEMS", "on bodies"),
+        (outlined, "MOST_CURVES", "curves"),
+        (drawings, "MOST_AREAS", "inverted"),
+    ],
+)
+def test_areas_too_many_for_what_is_done_with_few(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: object, limit: str, says: str
+) -> None:
+    halves = '<path d="M3 3h9v18h-9z"/><path fill="#f00" d="M12 3h9v18h-9z"/>'
+    if module is drawings:
+        halves = halves.replace('fill="#f00" ', "")
+    moved = halves.replace("M12", "M11").replace("h9v18h-9", "h8v16h-8")
+    assert not told(tmp_path, halves, moved)
+    monkeypatch.setattr(module, limit, 0)
+    assert says in told(tmp_path, halves, moved)["too-many-parts"].message
 
 
 def test_a_stroke_whose_area_does_not_follow_its_line(
@@ -104,6 +132,29 @@ def test_an_outline_without_a_mesh_moves_by_its_corners(
     notice = told(tmp_path, leaf, monstera)["by-corners"]
     assert notice.message == "nothing is enclosed"
     assert "corners" in notice.instead
+
+
+def test_a_pair_that_has_no_mesh_for_the_report_is_told_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(*_: object, **__: object) -> None:
+        raise OutlineError("nothing is enclosed")
+
+    monkeypatch.setattr(movement, "morph_fill", failing)
+    square = '<path d="M5 5h3v3h-3z" fill="#fff"/>'
+    for name, inner in (("a", SOLID + square), ("b", SOLID.replace("v12", "v9") + square)):
+        (tmp_path / f"{name}.svg").write_text(SVG.format(style="", inner=inner), "utf-8")
+    morph = st.morph(tmp_path / "a.svg", tmp_path / "b.svg")
+    assert "no-mesh" not in {notice.kind for notice in morph.notices}
+    told = [notice for notice in morph.report()["notices"] if notice["kind"] == "no-mesh"]
+    assert told[0]["message"] == "nothing is enclosed"
+    assert not morph.meshes
+
+
+def test_what_is_outside_is_told_where_one_area_is_left(tmp_path: Path) -> None:
+    beside = '<path d="M30 2v9" stroke="#000" stroke-width="2"/>'
+    notices = told(tmp_path, SOLID + beside, SOLID.replace("v12", "v9"))
+    assert notices["outside"].place.endswith("a.svg")
 
 
 @pytest.mark.parametrize("end", [0, 1])

@@ -105,7 +105,7 @@ def _part_layers(
                 "shapes": [{"ty": "gr", "nm": name, "it": [*shapes, *paints, group]}],
             }
         )
-    return layers, paint_losses(styles)
+    return layers, [*paint_losses(styles), *keys.losses]
 
 
 def _paths(keys: Keyed, grid: Grid) -> list[list[Json]]:

@@ -36,7 +36,7 @@ def lottie(segments: Segments, options: WriteOptions, observe: Observer = unobse
     """All of it as Lottie's JSON."""
     del observe
     animation, losses = lottie_json(segments, options)
-    return Written(_text(animation), tuple(dict.fromkeys(losses)))
+    return Written.of(_text(animation), losses)
 
 
 def dot_lottie(
@@ -56,7 +56,7 @@ def dot_lottie(
             info = zipfile.ZipInfo(name, NO_DATE)
             info.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(info, _text(content))
-    return Written(packed.getvalue(), tuple(dict.fromkeys(losses)))
+    return Written.of(packed.getvalue(), losses)
 
 
 def lottie_json(segments: Segments, options: WriteOptions) -> tuple[Json, list[str]]:

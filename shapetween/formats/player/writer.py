@@ -27,7 +27,7 @@ def html(segments: Segments, options: WriteOptions, observe: Observer = unobserv
     """All of it as a page."""
     made = module(segments, options, observe)
     messages = (*segments.warnings, *made.warnings)
-    return Written(_page(segments, options, tuple(dict.fromkeys(messages))), made.warnings)
+    return Written(_page(segments, options, tuple(dict.fromkeys(messages))), made.notices)
 
 
 def _page(segments: Segments, options: WriteOptions, messages: tuple[str, ...]) -> str:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from shapetween.base.arrays import Points
+from shapetween.base.notices import Notice
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.areas import divided_areas
 from shapetween.scene.cuts.closing import closed_lines
@@ -16,11 +17,22 @@ from shapetween.scene.relations import Scene, perceive
 
 __all__ = ["Cut", "cut_alike_items"]
 
-Cutting: TypeAlias = Callable[[Scene, Scene, Sequence[Group]], Found]
-"""From a scene whose items are cut, one whose items they become, and what the user asks for."""
+Cutting: TypeAlias = Callable[[Scene, Scene, Sequence[Group]], Found | None]
+"""From a scene whose items are cut, one whose items they become, and what the user asks for.
+
+None where there is too much to look at.
+"""
 
 CUTS: tuple[Cutting, ...] = (closed_lines, parted_lines, shared_lines, divided_areas, divided_rings)
 """All ways, in order."""
+
+#: What is told where one of them finds too much.
+UNCUT = Notice(
+    "too-many-parts",
+    "of so many lines it is not looked for where they run along each other",
+    instead="each becomes another as a whole",
+    severity="note",
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,10 +44,13 @@ class Cut:
     scenes : (Scene, Scene)
     given : tuple of (int, int)
         Items that become each other, by the cuts.
+    notices : tuple of Notice
+        What was not looked for.
     """
 
     scenes: tuple[Scene, Scene]
     given: tuple[tuple[int, int], ...]
+    notices: tuple[Notice, ...] = ()
 
 
 def cut_alike_items(
@@ -52,11 +67,14 @@ def cut_alike_items(
         Shapes that become each other because the user says so: one may become several.
     """
     given: list[tuple[Item, Item]] = []
+    notices: tuple[Notice, ...] = ()
     for cut in CUTS:
         for backwards in (False, True):
             whole, parts = (b, a) if backwards else (a, b)
             asked = [(two, one) for one, two in groups] if backwards else groups
             found = cut(whole, parts, asked)
+            if found is None:
+                notices = (UNCUT,)
             if not found:
                 continue
             items: list[Item] = []
@@ -75,4 +93,4 @@ def cut_alike_items(
         for one, other in given
         if id(one) in where[0] and id(other) in where[1]
     ]
-    return Cut((a, b), tuple(pairs_now))
+    return Cut((a, b), tuple(pairs_now), notices)

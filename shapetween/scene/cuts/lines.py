@@ -84,8 +84,11 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     return found
 
 
-def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found:
-    """Lines of a scene that lie on another one's for a while, cut where they part from it."""
+def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Found | None:
+    """Lines of a scene that lie on another one's for a while, cut where they part from it.
+
+    None where there are too many pairs to look at.
+    """
     kept = {k for one, _ in groups for k in one}
     scale = (whole.scale + parts.scale) / 2
     found: Found = {}
@@ -95,7 +98,7 @@ def parted_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     pairs = _longer_pairs(whole, parts, scale)
     pairs &= np.maximum(there[0][:, None], there[1]) > THERE
     if pairs.sum() > MOST:
-        return found
+        return None
     for k in np.flatnonzero(pairs.any(axis=1)).tolist():
         item = whole.items[k]
         if item.shape in kept or not opaque(item):

@@ -7,6 +7,7 @@ from typing import TypeAlias
 import numpy as np
 
 from shapetween.base.arrays import Points
+from shapetween.base.notices import Notice
 from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import curve_lengths, flatten
 from shapetween.model.part import CurveTrack
@@ -65,16 +66,42 @@ def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequenc
     crossed = _as_one(sides, crossed_tracks, scale)
     if crossed is not None:
         return crossed
-    return kept if kept.areas else _slid(sides, scale) or kept
+    if kept.areas:
+        return kept
+    return _slid(sides, scale) or replace(kept, notices=(*kept.notices, *_limits(sides)))
+
+
+def _limits(sides: Sides) -> tuple[Notice, ...]:
+    """What to tell where there is too much to be looked for."""
+    found = []
+    if sum(map(len, sides)) > MOST_AREAS and _one_colour(sides):
+        found.append(
+            f"of more than {MOST_AREAS} areas it is not looked for whether they are one, inverted"
+        )
+    if _most_rings(sides) > MOST_RINGS:
+        found.append(f"of more than {MOST_RINGS} outlines it is not looked for a slide")
+    return tuple(Notice("too-many-parts", text, severity="note") for text in found)
+
+
+def _most_rings(sides: Sides) -> int:
+    return max(sum(len(item.rings) for item in side) for side in sides)
+
+
+def _one_colour(sides: Sides) -> bool:
+    """Whether all is plain areas of one colour."""
+    items = [item for side in sides for item in side]
+    return all(item.plain for item in items) and not any(
+        np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items
+    )
 
 
 def slide_between(sides: Sides, scale: float) -> Points | None:
     """The slide, (2,), that takes much of one drawing onto the other one; None without one."""
     import shapely
 
-    rings = [[ring for item in side for ring in item.rings] for side in sides]
-    if max(map(len, rings)) > MOST_RINGS:
+    if _most_rings(sides) > MOST_RINGS:
         return None
+    rings = [[ring for item in side for ring in item.rings] for side in sides]
     boxes = [np.array([ring.box for ring in side]) for side in rings]
     ways = boxes[1] - boxes[0][:, None]
     corners = np.stack([ways[:, :, i, 0] for i in (0, 1)] * 2, axis=-1).reshape(-1, 4)
@@ -151,10 +178,7 @@ def _as_one(
     sides: Sides, find: Callable[[Sides, float], tuple[CurveTrack, ...] | None], scale: float
 ) -> Kept | None:
     """All of two drawings of one colour as one area with the tracks that are found for them."""
-    items = [item for side in sides for item in side]
-    if len(items) > MOST_AREAS or not all(item.plain for item in items):
-        return None
-    if any(np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items):
+    if sum(map(len, sides)) > MOST_AREAS or not _one_colour(sides):
         return None
     tracks = find(sides, scale)
     if tracks is None:

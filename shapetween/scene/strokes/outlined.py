@@ -101,9 +101,14 @@ def _upright_bar(item: Item) -> bool:
     return isinstance(form, RoundedBox) and abs(form.angle) < UPRIGHT
 
 
+def too_long(item: Item) -> bool:
+    """Whether an item is an opaque area of so many curves that it is not looked for strokes."""
+    return item.plain and not item.cut and sum(len(r.curves) for r in item.rings) > MOST_CURVES
+
+
 def _plain(item: Item) -> bool:
     """Whether an item is an opaque area without a border, of few curves, and not a box."""
-    if item.cut or not item.plain or sum(len(ring.curves) for ring in item.rings) > MOST_CURVES:
+    if item.cut or not item.plain or too_long(item):
         return False
     form = None if item.holes else form_of(item)
     if isinstance(form, RoundedBox):

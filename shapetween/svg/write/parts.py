@@ -76,6 +76,11 @@ class PartWriter:
             )
         return self._motions[part]
 
+    @property
+    def looser(self) -> float:
+        """How many times farther than the tolerance points of some part may be off."""
+        return max((motion.looser for motion in self._motions.values()), default=1.0)
+
     def add(self, parent: ET.Element, part: Part, name: dict[str, str]) -> list[ET.Element]:
         """Write a part as a path, or as several that take turns where its kind of paint does."""
         motion, slower = self.motion(part), self.slower

@@ -75,10 +75,22 @@ NARROWLY = 0.005
 
 @dataclass(frozen=True, slots=True)
 class ShapeMotion:
-    """Path data at rest, and the attributes of the animations that move it, often none."""
+    """How a path moves.
+
+    Attributes
+    ----------
+    rest : str
+        Path data at rest.
+    animations : tuple of dict
+        Attributes of the animations that move it, often none.
+    looser : float
+        How many times farther than the tolerance points may be off, for there would be too much to
+        write.
+    """
 
     rest: str
     animations: tuple[dict[str, str], ...]
+    looser: float = 1.0
 
     @property
     def bytes(self) -> int:
@@ -220,12 +232,13 @@ class _Plan:
             if found is not None:
                 return ShapeMotion(rest, _summed(found, first, form, clock, decimals))
         points = points[kept]
-        moments, values, easing = _keyframes(points, importance, clock, tolerance)
+        moments, values, easing, looser = _keyframes(points, importance, clock, tolerance)
         texts = form.texts(on_grid(values, decimals), decimals)
         if len(set(texts)) == 1:
             return ShapeMotion(rest, ())
         running = clock.running(moments, texts, easing)
-        return ShapeMotion(rest, tuple({"attributeName": "d", **timing} for timing in running))
+        moved = tuple({"attributeName": "d", **timing} for timing in running)
+        return ShapeMotion(rest, moved, looser)
 
     def by_rings(self) -> ShapeMotion | None:
         """A sum of easings for each ring that turns corners at times of its own.
@@ -314,15 +327,16 @@ def _summed(
 
 def _keyframes(
     points: Floats, importance: Floats, clock: Clock, tolerance: float
-) -> tuple[Floats, Floats, Floats | None]:
-    """Keyframes, fewer by looser tolerances where there would be too much to write."""
+) -> tuple[Floats, Floats, Floats | None, float]:
+    """Keyframes, fewer by a tolerance so much looser where there would be too much to write."""
     weighed = points * importance[:, None]
     moments, values, easing = clock.fitted(weighed, tolerance)
     most = max(LEAST_KEYFRAMES, MOST_WRITTEN * 3 // max(points.shape[1], 1))
+    looser = 1.0
     while clock.adaptive and len(moments) > most:
-        tolerance *= LOOSER
-        moments, values, easing = clock.fitted(weighed, tolerance)
-    return moments, values / importance[:, None], easing
+        looser *= LOOSER
+        moments, values, easing = clock.fitted(weighed, looser * tolerance)
+    return moments, values / importance[:, None], easing, looser
 
 
 def _for_so_many(clock: Clock, count: int) -> Clock:

@@ -6,7 +6,7 @@ first frame too, as a twin of the drawing that stands still.
 """
 
 import xml.etree.ElementTree as ET
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -31,7 +31,7 @@ from shapetween.svg.write.twins import (
     runs_of_moving,
 )
 from shapetween.timing import defaults
-from shapetween.timing.keyframes import KEYFRAME_TOLERANCE
+from shapetween.timing.keyframes import KEYFRAME_TOLERANCE, looser_keyframes
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.timeline import Loop, Timeline
 
@@ -48,6 +48,7 @@ def smil_svg(
     keyframes: Literal["auto"] | int = "auto",
     precision: int | None = None,
     start: str = "load",
+    tell: Callable[[str], object] | None = None,
 ) -> str:
     """Write a movement as an animated SVG, or several that follow each other.
 
@@ -76,6 +77,8 @@ def smil_svg(
 
     start : {"load", "click", "hover"}
         What sets it going. Once, the next click, or leaving it, brings it back; for ever, ends it.
+    tell : callable, optional
+        Told what cannot be written as closely as all else.
 
     Raises
     ------
@@ -115,6 +118,9 @@ def smil_svg(
     sheet.text = (sheet.text or "") + gradients.style_sheet
     if root.find(".//*[@class='shapetween-later']") is not None:
         sheet.text += WAITING_RULE
+    looser = max(writer.looser for writer in writers)
+    if looser > 1 and tell is not None:
+        tell(looser_keyframes(looser))
     if not sheet.text:
         root.remove(sheet)
     if not len(gradients.element):
