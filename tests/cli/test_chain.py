@@ -64,7 +64,7 @@ def test_frames_of_a_chain(run: Command, tmp_path: Path) -> None:
 def test_the_report_of_a_chain(run: Command, tmp_path: Path) -> None:
     assert run("morph a.svg b.svg a.svg --report report.json --folds allow").code == 0
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
-    assert set(report) == {"version", "method", "legs", "warnings", "seconds"}
+    assert set(report) == {"version", "method", "legs", "warnings", "notices", "seconds"}
     ends = [(leg["from"], leg["to"]) for leg in report["legs"]]
     assert ends == [("a.svg", "b.svg"), ("b.svg", "a.svg")]
     assert all(leg["rings"][0]["quads"] >= 1 for leg in report["legs"])
