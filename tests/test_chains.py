@@ -131,7 +131,7 @@ def test_what_is_told(closed: st.Chain, files: dict[str, Path]) -> None:
     legs = tuple(f"{first} to {second}: " for first, second in ((a, b), (b, c), (c, a)))
     assert all(warning.startswith(legs) for warning in doubtful)
     told = json.loads(json.dumps(closed.report()))
-    assert set(told) == {"version", "method", "legs", "warnings"}
+    assert set(told) == {"version", "method", "legs", "warnings", "notices"}
     names = [str(files[name]) for name in "abca"]
     assert [leg["from"] for leg in told["legs"]] == names[:-1]
     assert [leg["to"] for leg in told["legs"]] == names[1:]
