@@ -97,6 +97,8 @@ def waviness(
     places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
     for role, share in _seen(a, b, roles):
         k = places[role.first, role.second]
+        if any(i.filled and i.cut for i in (a.items[role.first], b.items[role.second])):
+            continue  # a cell is cut straight, and of what it comes from or goes into anyway
         track = tracks[k][0]
         curves = track.curves(LOOKED)[:, : track.counts[0]]
         turns = [total_turning(line, closed=track.closed[0]) for line in curves]

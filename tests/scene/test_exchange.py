@@ -489,3 +489,10 @@ def test_a_bubble_drawn_in_lines_is_exchanged_for_an_area_as_its_area_would_be(
     assert is_exchanged(made(tmp_path, line + inner, blocks))
     same = line.replace("L10 92z", "L14 90z")
     assert not is_exchanged(made(tmp_path, line + inner, same))
+
+
+def test_a_rounded_triangle_comes_apart_into_two_rounded_bars(tmp_path: Path) -> None:
+    play = '<path d="M20 18v64a6 6 0 0 0 9 5l54-32a6 6 0 0 0 0-10l-54-32a6 6 0 0 0-9 5z"/>'
+    bars = '<rect x="{}" y="14" width="26" height="72" rx="7"/>'
+    found = made(tmp_path, play, bars.format(18) + bars.format(56))
+    assert not is_exchanged(found)

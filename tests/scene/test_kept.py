@@ -9,10 +9,13 @@ from shapely import affinity
 
 from shapetween.base.arrays import Points
 from shapetween.boolean.area import filled_area
-from shapetween.geometry.bezier import flatten
+from shapetween.geometry.bezier import evaluate, flatten, line_curves
+from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Drawing
+from shapetween.model.outline import Outline
 from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
+from shapetween.scene.kept.badges import Bitten
 from shapetween.scene.kept.holes import holes_in_turn
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Piece
@@ -456,6 +459,47 @@ def test_a_body_with_a_badge_is_exact_at_both_ends() -> None:
     ends = frames(path(BOX), path(after), np.array([0.0, 1.0]))
     assert off(ends[0], BOX) < 0.01
     assert off(ends[1], after) < 0.01
+
+
+def test_a_bite_beside_thin_walls_leaves_nothing_where_it_is_open() -> None:
+    """What is bitten off goes there and back on one border, with not a hair between."""
+    corner = shapely.union(shapely.box(20, 20, 30, 80), shapely.box(20, 70, 80, 80))
+    corners = np.array(corner.exterior.coords)[:-1]
+    ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0)))
+    reach = np.full(720, 90.0)
+    bite = Bitten((ring.clockwise(),), np.array([24.0, 76.0]), reach, True, True)
+    times = np.array([0.6, 0.8])
+    for curves, size in zip(bite.curves(times), 1 - (1 - times) ** 2, strict=True):
+        assert size * 90 > 60  # all of it is bitten off
+        first, hole = np.split(curves[:, 0], bite.counts[:1])
+        assert abs(float(polygon_area(first) + polygon_area(hole))) < 1e-6
+        thirds = evaluate(curves, np.linspace(0, 1, 5)) - bite.centre
+        chords = np.hypot(*np.moveaxis(thirds, -1, 0))
+        assert (chords.max(axis=1) <= size * 90 * (1 + 1e-6)).all()
+
+
+ARROW = [(46, 30), (54, 30), (54, 50), (66, 50), (50, 66), (34, 50), (46, 50)]
+
+
+def test_an_arrow_cut_out_of_a_body_turns_there_and_all_else_stands_still() -> None:
+    down = shapely.Polygon(ARROW)
+    up = shapely.union(affinity.scale(down, 1, -1, origin=(50, 50)), shapely.box(46, 60, 54, 80))
+    bodies = BOX.difference(down), BOX.difference(up)
+    still, ever = bodies[0].intersection(bodies[1]), bodies[0].union(bodies[1])
+    for area in frames(path(bodies[0]), path(bodies[1])):
+        assert still.difference(area).area < 0.5
+        assert area.difference(ever).area < 0.5
+
+
+def test_large_holes_that_only_one_has_are_not_closed_first() -> None:
+    """A table of three cells is not all black before it is one of two."""
+    outer = shapely.box(10, 10, 90, 90)
+    first = outer.difference(
+        shapely.union_all([shapely.box(18, 18, 82, 40), shapely.box(18, 48, 46, 82)])
+    ).difference(shapely.box(54, 48, 82, 82))
+    second = outer.difference(shapely.box(18, 18, 34, 82)).difference(shapely.box(42, 18, 82, 82))
+    least = min(first.area, second.area)
+    assert max(area.area for area in frames(path(first), path(second))) < 2 * least
 
 
 def test_wings_on_both_sides_of_a_body_are_no_slash() -> None:

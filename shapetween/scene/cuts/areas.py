@@ -10,6 +10,7 @@ from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
 from shapetween.scene.asked import Group
 from shapetween.scene.cuts.division import Division, Found
+from shapetween.scene.forms import RoundedBox
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene
 
@@ -39,8 +40,8 @@ def divided_areas(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> F
             continue
         regions = [Region(parts.items[j].outer, parts.items[j].holes) for j in pieces]
         cells = split_alike(Region(item.outer, item.holes), regions)
-        if cells is None:
-            continue
+        if cells is None or sum(len(cell.holes) for cell in cells) < len(item.holes):
+            continue  # a hole that a cut runs through would come together from torn edges
         made = [replace(item, rings=(c.outer, *c.holes), cut=True) for c in cells]
         found[k] = Division(made, list(zip(made, pieces.tolist(), strict=True)))
     return found
@@ -59,7 +60,10 @@ def _nested(pieces: Sequence[Item]) -> bool:
 def families(
     whole: Scene, parts: Scene, groups: Sequence[Group], *, filled: bool
 ) -> list[tuple[int, Index]]:
-    """Outermost items that are the only ones of their colour, and several like them on the other.
+    """Outermost items, and those of the other drawing that each of them comes apart into.
+
+    What is the only one of its colour comes apart into all of that. Boxes that are all there is
+    come apart into as many boxes each as lie in their places, as rows do into tiles.
 
     Parameters
     ----------
@@ -96,14 +100,8 @@ def families(
         if len(own) == 1 and 2 <= len(pieces) <= MOST and kinds == {filled}:
             found.append((int(own[0]), pieces))
     asked = {k for k, _ in found}
-    for k in ours.tolist():
+    for k, pieces in _shared_out(whole, parts, ours, theirs):
         if k in asked:
-            continue
-        alike = np.abs(whole.colours[ours] - whole.colours[k]).sum(axis=-1) < COLOUR
-        if alike.sum() != 1:
-            continue
-        pieces = theirs[np.abs(parts.colours[theirs] - whole.colours[k]).sum(axis=-1) < COLOUR]
-        if not 2 <= len(pieces) <= MOST:
             continue
         reach = CLOSING * parts.scale
         union = shapely.union_all([parts.items[j].enclosed for j in pieces])
@@ -113,3 +111,32 @@ def families(
         if both > LIKE * (closed.area + own.area - both):
             found.append((k, pieces))
     return found
+
+
+def _shared_out(whole: Scene, parts: Scene, ours: Index, theirs: Index) -> list[tuple[int, Index]]:
+    """Which of some items of both drawings belong together."""
+    found = []
+    for k in ours.tolist():
+        alike = np.abs(whole.colours[ours] - whole.colours[k]).sum(axis=-1) < COLOUR
+        pieces = theirs[np.abs(parts.colours[theirs] - whole.colours[k]).sum(axis=-1) < COLOUR]
+        if alike.sum() == 1 and 2 <= len(pieces) <= MOST:
+            found.append((k, pieces))
+    if found or not 2 <= len(ours) < len(theirs):
+        return found
+    boxes = [
+        all(isinstance(scene.forms[k], RoundedBox) for k in range(len(scene.items)))
+        for scene in (whole, parts)
+    ]
+    colours = np.concatenate([whole.colours[ours], parts.colours[theirs]])
+    if not all(boxes) or np.ptp(colours, axis=0).sum() > COLOUR:
+        return []
+    places = whole.box[0] + (parts.centres[theirs] - parts.box[0]) * (
+        np.ptp(whole.box, axis=0) / np.ptp(parts.box, axis=0)
+    )
+    corners = np.array([whole.items[k].box for k in ours])
+    off = np.maximum(corners[:, None, 0] - places, places - corners[:, None, 1]).max(axis=-1)
+    own = np.round(off / whole.scale, 9).argmin(axis=0)
+    counts = np.bincount(own, minlength=len(ours))
+    if (off.min(axis=0) > 0).any() or counts.min() < 2 or counts.max() > MOST:
+        return []
+    return [(int(k), theirs[own == n]) for n, k in enumerate(ours)]

@@ -23,6 +23,7 @@ __all__ = [
     "Slot",
     "Telescoped",
     "extent_along",
+    "linked",
     "unit_circle",
 ]
 
@@ -140,7 +141,7 @@ class HalfPlaneClip(Leaf):
         ends = curves[:, [0, 3]].reshape(-1, 2)
         last = ends[int(comparable(ends @ ahead).argmax())]
         result[line >= float((ends @ ahead).max())] = last
-        return _closed(result, self.counts)
+        return linked(result, self.counts)
 
 
 def extent_along(rings: Sequence[Outline], ahead: Points) -> tuple[float, float]:
@@ -172,7 +173,7 @@ def _straight(start: Points, end: Points) -> Curves:
     return np.asarray((1 - thirds) * start[..., None, :] + thirds * end[..., None, :])
 
 
-def _closed(curves: Curves, counts: tuple[int, ...]) -> Curves:
+def linked(curves: Curves, counts: tuple[int, ...]) -> Curves:
     """Curves (F, N, 4, 2) each of which starts where the one before it ends, to the last digit."""
     first = 0
     for count in counts:

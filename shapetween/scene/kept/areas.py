@@ -6,7 +6,7 @@ which something is done. So the outlines are not matched as wholes.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -31,9 +31,6 @@ from shapetween.scene.kept.holes import (
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
 from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
-if TYPE_CHECKING:
-    pass
-
 __all__ = ["COLOUR", "MOST_AREAS", "REACH", "Kept", "KeptArea", "kept_areas", "scale_of"]
 
 #: Distance within which outlines are one, as a share of the drawing: what rounding to one decimal
@@ -51,6 +48,12 @@ BODY = 0.08
 
 #: Least share of all outlines that is common, of either drawing.
 SHARED = 0.5
+
+#: Least share of the outlines of both that is common, and most area of holes that open or close
+#: alone, for what differs to come and go as parts although edges seem to move. A smaller share, and
+#: sides of a box that grows are wiped; larger, and an arrow in a cloud tears to point the other
+#: way. With more holes a table is black before it is another one; fewer, and the arrow tears.
+STEADY, OPENED = 0.55, 0.2
 
 #: Most areas of a drawing, and most curves of those of one colour, that are looked at; more take
 #: longer than it is worth.
@@ -93,7 +96,13 @@ class Kept:
     notices: tuple[Notice, ...] = ()
 
 
-def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[Group] = ()) -> Kept:
+def kept_areas(
+    first: Sequence[Item],
+    second: Sequence[Item],
+    groups: Sequence[Group] = (),
+    *,
+    parts: bool = False,
+) -> Kept:
     """Find areas of which most stays where it is.
 
     Parameters
@@ -102,6 +111,8 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
         In paint order and one frame.
     groups : sequence of Group
         Shapes that become each other: they are kept together or not at all.
+    parts : bool
+        Whether, where most is common, all that differs comes and goes as parts.
     """
     sides = (first, second)
     scale = scale_of(sides)
@@ -115,6 +126,8 @@ def kept_areas(first: Sequence[Item], second: Sequence[Item], groups: Sequence[G
             continue
         beside = _beside(sides, looked, found)
         moved = _tracks(found, bars, beside, sides, scale)
+        if moved is None and parts:
+            moved = _tracks(found, bars, beside, sides, scale, parts=True)
         if moved is None:
             continue
         tracks, badges = moved
@@ -313,9 +326,13 @@ def _tracks(
     beside: Family,
     sides: tuple[Sequence[Item], Sequence[Item]],
     scale: float,
+    *,
+    parts: bool = False,
 ) -> tuple[tuple[CurveTrack, ...], Family] | None:
     """Tracks of all that is kept, comes and goes, and which of the items beside it are badges."""
     kept, found = looked.items, looked.snapped
+    if parts and min(found.common) < STEADY:
+        return None
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
     chords = chords_of([*found.first, *found.second])
     holes = loose_holes(counts, found)
@@ -325,6 +342,14 @@ def _tracks(
     loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
     pairs = matched_hole_pairs(*loose, solid, scale)
     paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
+    lone_holes = [
+        ring
+        for own, side in zip(holes, loose, strict=True)
+        for k, ring in zip(own, side, strict=True)
+        if k not in paired
+    ]
+    if parts and sum(abs(ring.area) for ring in lone_holes) > OPENED * solid[0].area:
+        return None
     moving = [matched_hole_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
     for side, k in holes_in_turn(holes, paired, chords.polylines, solid):
         paired.add(k)
@@ -333,6 +358,8 @@ def _tracks(
     laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
     if not laid.pieces and not moving:
         return None
+    if parts and len({piece.comes for piece in laid.pieces}) < 2:
+        return None  # what is only bitten off, or only grows, is one outline still
     bound = [
         {k: ring for k, ring in enumerate(side) if k + first not in {*holes[0], *holes[1]}}
         for first, side in ((0, rings[0]), (count, rings[1]))
@@ -342,7 +369,9 @@ def _tracks(
     bitten = [piece for badge in badges for piece in badge.pieces]
     blunt, cleared = blunt_badges(laid, near, badges)
     lone = len({*holes[0], *holes[1]} - paired)
-    moved = tracks_of_pieces(laid, bars, bitten, cleared, bound[0], bound[1], lone, REACH * scale)
+    moved = tracks_of_pieces(
+        laid, bars, bitten, cleared, bound[0], bound[1], lone, REACH * scale, parts=parts
+    )
     if moved is None:
         return None
     taken: Family = ([], [])

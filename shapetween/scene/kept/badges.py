@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.geometry.bezier import sub_curves
+from shapetween.geometry.bezier import evaluate, sub_curves
+from shapetween.geometry.polygon import cross
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.items import Item
-from shapetween.scene.kept.appearing import OfRings, unit_circle
+from shapetween.scene.kept.appearing import OfRings, linked, unit_circle
 from shapetween.scene.kept.pieces import Overlay, Piece, drawn_rings
 
 if TYPE_CHECKING:
@@ -30,15 +31,16 @@ VARIES = 0.35
 #: Smaller, and a shallow bite is none; at 1 rounding makes a bite of a straight edge.
 STRAIGHT = 0.985
 
-#: Directions round a badge's middle in which the reach of its bite is known, and the most that a
-#: curve spans of them, radians, to be moved by its control points.
-AROUND, SPAN = 720, np.deg2rad(6.0)
+#: Directions round a badge's middle in which the reach of its bite is known, and between how many
+#: of them the border of a bite that opens is straight. Fewer of these, and its corners are seen;
+#: more, and files grow.
+AROUND, STRAIGHTS = 720, 90
 
 #: Angle, radians, by which a bite's border may run back as seen from there, at its very ends.
 BACK = 0.01
 
-#: Halvings of a curve for that.
-HALVINGS = 8
+#: Places on a curve by which it is known what directions it passes.
+LOOKED = 17
 
 #: Distance of the middle from the bite's border, as a share of its size, below which it is moved
 #: away by as much: a border through the middle has no direction there.
@@ -310,9 +312,9 @@ class Bitten(Leaf):
 
     @cached_property
     def _curves(self) -> tuple[Curves, tuple[int, ...]]:
-        parts = [_spanning(ring.curves, self.centre) for ring in self.rings]
+        parts = [_sectors(ring.curves, self.centre) for ring in self.rings]
         if self.holds:
-            hole = Outline(unit_circle(round(2 * np.pi / SPAN))).reversed().curves
+            hole = Outline(unit_circle(STRAIGHTS)).reversed().curves
             parts.append(self.centre + POINT * self.reach.min() * hole)
         return np.concatenate(parts), tuple(len(part) for part in parts)
 
@@ -326,35 +328,68 @@ class Bitten(Leaf):
         """All of them."""
         return (True,) * len(self.counts)
 
+    def _border(self, offsets: Points) -> Floats:
+        """How far the bite's border is from its middle in curves' (N, 4, 2) directions, (N, 4)."""
+        middle = evaluate(offsets, np.array([0.5]))[:, 0]
+        turn = np.arctan2(middle[:, 1], middle[:, 0]) / (2 * np.pi) * STRAIGHTS
+        corners = np.stack([np.floor(turn), np.floor(turn) + 1])
+        reach = np.interp(
+            corners / STRAIGHTS * AROUND, np.arange(AROUND), self.reach, period=AROUND
+        )
+        first, second = reach[..., None] * _corners(corners)
+        ahead = second - first
+        away = np.hypot(offsets[..., 0], offsets[..., 1])
+        unit = offsets / np.maximum(away, 1e-300)[..., None]
+        return np.asarray(cross(first, ahead)[:, None] / cross(unit, ahead[:, None]))
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         whole, _ = self._curves
         size = _grown(t, self.comes)[:, None, None]
         offsets = whole - self.centre
         away = np.hypot(offsets[..., 0], offsets[..., 1])
-        angle = np.arctan2(offsets[..., 1], offsets[..., 0]) / (2 * np.pi) * AROUND
-        reach = np.interp(angle, np.arange(AROUND), self.reach, period=AROUND)
+        reach = self._border(offsets)
         pushed = np.maximum(away, size * reach)
         result = self.centre + (pushed / np.maximum(away, 1e-300))[..., None] * offsets
-        result = np.where((away >= size * reach)[..., None], whole, result)
+        result = linked(np.where((away >= size * reach)[..., None], whole, result), self.counts)
         # What is all bitten off is a point: renderers show a line that encloses nothing as a hair.
         return np.where(size[..., None] == 1, whole[0, 0], result)
 
 
-def _spanning(curves: Curves, centre: Points) -> Curves:
-    """Curves cut so that each spans a small angle as seen from a centre."""
-    for _ in range(HALVINGS):
-        offsets = curves - centre
-        angle = np.arctan2(offsets[..., 1], offsets[..., 0])
-        turn = (angle - angle[:, :1] + np.pi) % (2 * np.pi) - np.pi
-        wide = np.ptp(turn, axis=1) > SPAN
-        if not wide.any():
-            break
-        repeated = np.repeat(curves, np.where(wide, 2, 1), axis=0)
-        low, high = np.zeros(len(repeated)), np.ones(len(repeated))
-        first = np.cumsum(np.where(wide, 2, 1)) - np.where(wide, 2, 1)
-        high[first[wide]], low[first[wide] + 1] = 0.5, 0.5
-        cut = sub_curves(repeated, low, high)
-        cut[(low == 0) & (high == 1)] = repeated[(low == 0) & (high == 1)]
-        curves = cut
-    return curves
+def _corners(directions: Floats) -> Points:
+    """Unit vectors of directions counted in straights of a bite's border."""
+    angle = directions * (2 * np.pi / STRAIGHTS)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def _sectors(curves: Curves, centre: Points) -> Curves:
+    """Curves cut where they pass a direction in which the border of a bite has a corner."""
+    places = evaluate(curves, np.linspace(0.0, 1.0, LOOKED)) - centre
+    turns = np.unwrap(np.arctan2(places[..., 1], places[..., 0]), axis=1) / (2 * np.pi) * STRAIGHTS
+    parts = []
+    for curve, turn in zip(curves, turns, strict=True):
+        passed = np.arange(np.ceil(turn.min()), np.floor(turn.max()) + 1)
+        cuts = [0.0, 1.0]
+        for corner in _corners(passed):
+            cuts += _passes(curve - centre, corner)
+        at = np.unique(cuts)
+        own = sub_curves(np.repeat(curve[None], len(at) - 1, axis=0), at[:-1], at[1:])
+        own[0, 0], own[-1, 3] = curve[0], curve[3]
+        parts.append(own)
+    return np.concatenate(parts)
+
+
+def _passes(offsets: Points, corner: Points) -> list[float]:
+    """Parameters at which a curve about the origin (4, 2) lies in a direction."""
+    aside = offsets @ np.array([-corner[1], corner[0]])
+    steps = np.diff(aside)
+    cubic = [
+        float(aside[3] - aside[0] - 3 * (steps[1])),
+        float(3 * (steps[1] - steps[0])),
+        float(3 * steps[0]),
+        float(aside[0]),
+    ]
+    roots = np.roots(cubic)
+    real = roots[np.abs(roots.imag) < 1e-9].real
+    real = real[(real > 1e-6) & (real < 1 - 1e-6)]
+    return [float(t) for t in real if evaluate(offsets[None], np.array([t]))[0, 0] @ corner > 0]

@@ -1,5 +1,6 @@
 """Straight bars, such as a slash through an icon."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,13 @@ from shapetween.geometry.polygon import cross
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["Bar", "bar_of", "slot_of"]
+    from shapetween.scene.kept.pieces import Overlay, Piece
+
+__all__ = ["Bar", "bar_of", "round_stroke", "slot_of"]
+
+#: How far from the middle of a bar's end, along and aside, in halves of its width, nothing is drawn
+#: if that is round: 0.71 is on a round end, 1 at the corner of a square one.
+CORNER = 0.85
 
 #: Least ratio of the sides of a bar, and share of its rectangle that it fills.
 SLENDER, FILLED = 4.0, 0.75
@@ -118,3 +125,30 @@ def slot_of(areas: "shapely.Geometry") -> Bar | None:
         return None
     bar = bar_of(hull, slender=SLOT)
     return bar if bar is not None and np.abs(bar.ahead).min() > OBLIQUE else None
+
+
+def round_stroke(pieces: Sequence["Piece"], laid: "Overlay") -> Bar | None:
+    """The bar that pieces are parts of together, if both its ends are round.
+
+    Parameters
+    ----------
+    pieces : sequence of Piece
+    laid : Overlay
+        What they are of.
+    """
+    import shapely
+
+    if not pieces:
+        return None
+    bar = bar_of(shapely.union_all([piece.area for piece in pieces]).convex_hull)
+    if bar is None:
+        return None
+    whole = shapely.union_all([laid.kept, *(piece.area for piece in pieces)])
+    normal = np.array([-bar.ahead[1], bar.ahead[0]])
+    near = CORNER * bar.half
+    corners = [
+        bar.centre + along * (bar.length / 2 - bar.half + near) * bar.ahead + aside * near * normal
+        for along in (-1, 1)
+        for aside in (-1, 1)
+    ]
+    return None if whole.intersects(shapely.MultiPoint(corners)) else bar

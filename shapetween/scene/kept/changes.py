@@ -11,7 +11,7 @@ from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.scene.kept.appearing import HalfPlaneClip, InTurn, Telescoped, extent_along
-from shapetween.scene.kept.bars import Bar, bar_of, slot_of
+from shapetween.scene.kept.bars import Bar, bar_of, round_stroke, slot_of
 from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
@@ -36,6 +36,10 @@ ONE_SIDED = 0.12
 #: and something moves.
 MOVED = 0.06
 
+#: The same where outlines have most of their length in common, so that whatever differs is seen as
+#: parts. Smaller, and a screen leaves for one with an arrow; larger, and half a drawing is wiped.
+MOVED_PARTS = 0.12
+
 #: Share of a piece half sunk into what it stands on that may come out elsewhere.
 STRAY = 0.03
 
@@ -53,10 +57,6 @@ GAP = 0.8
 #: Share of a slash that may be missing in the area that has it, and least share of the strips along
 #: it that are cleared for it. Less, and wings that a body gets on both sides are a slash.
 BARRED, CLEARED = 0.03, 0.12
-
-#: How far from the middle of a bar's end, along and aside, in halves of its width, nothing is drawn
-#: if that is round: 0.71 is on a round end, 1 at the corner of a square one.
-CORNER = 0.85
 
 #: Cosine of the angle of a stroke and of the bar that it is drawn with. Smaller, and tips leave it.
 ALONG = 0.999
@@ -96,6 +96,8 @@ def tracks_of_pieces(
     second: Mapping[int, Outline],
     lone: int,
     reach: float,
+    *,
+    parts: bool,
 ) -> tuple[CurveTrack, ...] | None:
     """Tracks of what is kept, first its largest ring, and of all pieces.
 
@@ -114,6 +116,8 @@ def tracks_of_pieces(
         How many loose holes open or close by themselves.
     reach : float
         Distance within which outlines are one.
+    parts : bool
+        Whether what differs comes and goes as parts even where edges look as if they moved.
 
     Returns
     -------
@@ -146,8 +150,9 @@ def tracks_of_pieces(
         outlines = outline_tracks(first, second, laid.snapped.arcs, reach)
         if outlines is not None:
             return (*outlines, *openings)
-    edges = _edges_move(rest, laid.kept.area, reach)
-    if min(areas) > MOVED * laid.kept.area or len(rest) > MOST_PIECES or edges:
+    if min(areas) > (MOVED_PARTS if parts else MOVED) * laid.kept.area or len(rest) > MOST_PIECES:
+        return None
+    if not parts and _edges_move(rest, laid.kept.area, reach):
         return None
     solid = shapely.union_all([laid.kept, *(p.area for p in holes)])
     rings = sorted(laid.outlines(solid), key=lambda r: -round(abs(r.area) / laid.scale**2, 9))
@@ -250,7 +255,7 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
     reaches = [bar.ends, *(extent_along(own, bar.ahead) for own in rings)]
     low, high = min(low for low, _ in reaches), max(high for _, high in reaches)
     ends = (low, high) if bar.comes else (high, low)
-    stroke = _round_stroke([p for p in group if p.comes == bar.comes], laid)
+    stroke = round_stroke([p for p in group if p.comes == bar.comes], laid)
     tipped = stroke is not None and float(stroke.ahead @ bar.ahead) > ALONG
     tip: Tip | None = None
     if stroke is not None and tipped:
@@ -267,26 +272,6 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
         else:  # It is no strip: what becomes of one is a claw of it.
             tracks.append(HalfPlaneClip(own, bar.ahead, ends, behind=False))
     return tracks if tip is None else [*tracks, tip]
-
-
-def _round_stroke(pieces: Sequence[Piece], laid: Overlay) -> Bar | None:
-    """The bar that pieces are parts of together, if both its ends are round."""
-    import shapely
-
-    if not pieces:
-        return None
-    bar = bar_of(shapely.union_all([piece.area for piece in pieces]).convex_hull)
-    if bar is None:
-        return None
-    whole = shapely.union_all([laid.kept, *(piece.area for piece in pieces)])
-    normal = np.array([-bar.ahead[1], bar.ahead[0]])
-    near = CORNER * bar.half
-    corners = [
-        bar.centre + along * (bar.length / 2 - bar.half + near) * bar.ahead + aside * near * normal
-        for along in (-1, 1)
-        for aside in (-1, 1)
-    ]
-    return None if whole.intersects(shapely.MultiPoint(corners)) else bar
 
 
 def _across(bar: Bar, axis: Reflection) -> bool:

@@ -66,9 +66,11 @@ def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequenc
     crossed = _as_one(sides, crossed_tracks, scale)
     if crossed is not None:
         return crossed
-    if kept.areas:
-        return kept
-    return _slid(sides, scale) or replace(kept, notices=(*kept.notices, *_limits(sides)))
+    slid = None if kept.areas else _slid(sides, scale)
+    if slid is not None:
+        return slid
+    kept = kept_areas(first, second, parts=True)
+    return kept if kept.areas else replace(kept, notices=(*kept.notices, *_limits(sides)))
 
 
 def _limits(sides: Sides) -> tuple[Notice, ...]:

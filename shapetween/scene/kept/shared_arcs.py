@@ -73,6 +73,15 @@ class Snapped:
     lengths: tuple[Floats, Floats]
     arcs: tuple[SharedArc, ...]
 
+    @property
+    def common(self) -> tuple[float, float]:
+        """Share of either area's outlines that is common."""
+        first, second = (
+            float(shared.sum() / max(float(lengths.sum()), 1e-300))
+            for shared, lengths in zip(self.shared, self.lengths, strict=True)
+        )
+        return first, second
+
 
 def snapped(first: Sequence[Outline], second: Sequence[Outline], reach: float) -> Snapped:
     """Give the second area's rings the first one's curves wherever they run along them.
