@@ -37,7 +37,8 @@ Grid = NDArray[np.int64]
 
 #: Most easings that run together, over the whole way or over one window of it. With more it takes
 #: twice as long to find them, and hardly a movement needs them; with fewer what moves in many ways
-#: takes keyframes, and three times the bytes.
+#: takes keyframes, and three times the bytes: at most fourteen of them, in all windows together,
+#: make eight of 167 pairs up to three times as large, to spare .15 ms a frame in Chromium.
 MOST_TERMS = 20
 
 #: Most easings in all where windows follow each other. A player adds what has arrived too: in

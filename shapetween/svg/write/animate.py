@@ -5,7 +5,7 @@ and only at as many keyframes as it needs.
 """
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from shapetween.base.arrays import Floats, Index
 from shapetween.svg.write.clock import Clock
 
 __all__ = [
+    "add_animation",
     "animate",
     "animate_choice",
     "animate_number",
@@ -103,7 +104,11 @@ def animate_shown(element: ET.Element, clock: Clock) -> None:
     _add(element, "display", clock.showing("inline", "none"))
 
 
+def add_animation(element: ET.Element, attributes: Mapping[str, str]) -> None:
+    """Add one animation, as a ``<set>`` if it comes at once: if it has a ``to``."""
+    ET.SubElement(element, "set" if "to" in attributes else "animate", dict(attributes))
+
+
 def _add(element: ET.Element, attribute: str, timings: Sequence[dict[str, str]]) -> None:
     for timing in timings:
-        tag = "set" if "to" in timing else "animate"
-        ET.SubElement(element, tag, {"attributeName": attribute, **timing})
+        add_animation(element, {"attributeName": attribute, **timing})

@@ -16,6 +16,7 @@ import numpy as np
 from shapetween.base.arrays import Curves, Floats, Index
 from shapetween.geometry.merging import merged_curves
 from shapetween.model.part import Part
+from shapetween.svg.write.animate import add_animation
 from shapetween.svg.write.clock import Clock
 from shapetween.svg.write.paths import Grid, PathForm, on_grid, straight_curves
 from shapetween.timing.schedule import Schedule
@@ -105,7 +106,7 @@ def add_motion(path: ET.Element, motion: ShapeMotion) -> None:
     """Let a path move."""
     path.set("d", motion.rest)
     for attributes in motion.animations:
-        ET.SubElement(path, "set" if "to" in attributes else "animate", attributes)
+        add_animation(path, attributes)
 
 
 def shape_motion(
