@@ -189,6 +189,8 @@ def test_types_are_those_that_typescript_takes(
         "const show: (t: number) => void = mount(document.body);\n"
         "// @ts-expect-error there is no such loop\n"
         'play("#a", { loop: "sometimes" });\n'
+        "// @ts-expect-error what it waits for is as the file was written\n"
+        'play("#a", { start: "click" });\n'
         "console.log(text, run, show);\n",
         "utf-8",
     )

@@ -52,11 +52,14 @@ def group_losses(movements: Sequence[Movement], form: str, *, composed: bool = F
 
 
 def colour_losses(movements: Sequence[Movement], form: str) -> list[str]:
-    """Whether a colour that is the page's to choose becomes one of the file's own, in one line."""
+    """Which colours that are the page's to choose become the file's own, in one line."""
     styles = [part.style(t) for m in movements for part in m.parts for t in LOOKED]
     asked = (reference for style in styles for reference in _references(style))
-    words = next(asked, "")
-    return [f"the page's own colour, {words}, is fixed in {form}"] if words else []
+    words = [*dict.fromkeys(asked)]
+    if not words:
+        return []
+    named, are = ("colour", "is") if len(words) == 1 else ("colours", "are")
+    return [f"the page's own {named}, {', '.join(words)}, {are} fixed in {form}"]
 
 
 def _references(style: Style) -> Iterator[str]:

@@ -48,3 +48,10 @@ def test_the_pages_own_colour_is_told_of_once() -> None:
     assert colour_losses([movement(Style(own), Style(own))], "Lottie") == told
     assert colour_losses([movement(Style(Colour()), Style(shade))], "Lottie") == told
     assert colour_losses([movement(Style(Colour()))], "Lottie") == []
+
+
+def test_all_of_the_pages_own_colours_are_named() -> None:
+    first, second = Colour(reference="var(--accent, #f00)"), Colour(reference="currentColor")
+    told = ["the page's own colours, var(--accent, #f00), currentColor, are fixed in .xml"]
+    moving = [movement(Style(first), Style(second), Style(first))]
+    assert colour_losses(moving, ".xml") == told

@@ -18,6 +18,7 @@ export interface Timing {
   loop: "once" | "repeat" | "alternate";
   /** Milliseconds that each drawing stands still. */
   hold: number;
+  /** What it waits for: as the file was written, whatever `play` is told. */
   start: "load" | "click" | "hover" | "seen" | "scroll" | "drag";
 }
 
@@ -27,7 +28,7 @@ export declare const timing: Timing;
 /** Draw into an <svg>, a <g>, or an element that is given an <svg>; shows any time from 0 to 1. */
 export function mount(target: Element | string): (t: number) => void;
 
-export interface PlayOptions extends Partial<Timing>, Omit<KeyframeEffectOptions, "duration" | "easing"> {
+export interface PlayOptions extends Partial<Omit<Timing, "start">>, Omit<KeyframeEffectOptions, "duration" | "easing"> {
   /** Which part a <path> as target shows. */
   part?: number;
   /** A ScrollTimeline or ViewTimeline to follow instead of the clock. */
