@@ -31,14 +31,20 @@ PAIRS = (
     ("fish-checked", "fish-scaled"),
 )
 
+#: Known scenes in which strands touch on the way.
+TOUCHING = tuple(f"pairing:vaadin-calendar-briefcase:vaadin-calendar-user#{k}" for k in (1, 2))
+
 DIGESTS = """
 import hashlib, sys
 import shapetween as st
+from tests.scene.test_baseline import drawings
 from tests.ties import svg
 for name in sys.argv[1:]:
     halves = name.split(":")
     if halves[0] == "made":
         first, second = map(svg, halves[1:])
+    elif halves[0] == "moved":
+        first, second = drawings(name.removeprefix("moved:"))
     else:
         first, second = (f"gallery/inputs/{half}.svg" for half in halves)
     text = st.morph(first, second).svg()
@@ -54,7 +60,8 @@ def digests(changes: Mapping[str, str]) -> list[str]:
         if name not in ("OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES")
     }
     environment |= {"PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "ignore", **changes}
-    names = [":".join(pair) for pair in PAIRS + tuple(("made", *pair) for pair in TIES)]
+    pairs = PAIRS + tuple(("made", *pair) for pair in TIES)
+    names = [":".join(pair) for pair in pairs] + [f"moved:{case}" for case in TOUCHING]
     run = subprocess.run(
         [sys.executable, "-c", DIGESTS, *names],
         cwd=ROOT,

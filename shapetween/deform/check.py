@@ -7,6 +7,7 @@ import shapely
 
 from shapetween.base.arrays import Curves, Mask, Points
 from shapetween.geometry.bezier import flatten
+from shapetween.geometry.polygon import cross, polygon_area
 
 __all__ = ["LOOKED", "crossing_frames", "simple_frames"]
 
@@ -17,8 +18,16 @@ LOOKED = np.linspace(0, 1, 11)[1:-1]
 CHORDS = 4
 
 
+#: Distance, as a share of the extent, by which strands cross that do; and the area, as a share of
+#: that of the extent, where corners lie on other strands. None, and where strands touch rounding
+#: says, and so the processor, whether they cross; much more, and what is seen to cross does not.
+DEPTH, LEAST_AREA = 1e-6, 1e-8
+
+
 def simple_frames(points: Points, rings: tuple[int, ...] | None = None) -> Mask:
-    """Which frames show closed polylines that neither cross nor touch themselves or each other.
+    """Which frames show closed polylines that cross neither themselves nor each other.
+
+    Those that only touch, or cross by less than can be seen, do not cross.
 
     Parameters
     ----------
@@ -35,10 +44,64 @@ def simple_frames(points: Points, rings: tuple[int, ...] | None = None) -> Mask:
     sizes = rings or (count,)
     owner = np.repeat(np.arange(frames * len(sizes)), np.tile(sizes, frames))
     loops = shapely.linearrings(points.reshape(-1, 2), indices=owner)
-    if len(sizes) == 1:
-        return np.asarray(shapely.is_simple(loops))
-    group = np.repeat(np.arange(frames), len(sizes))
-    return np.asarray(shapely.is_simple(shapely.multilinestrings(loops, indices=group)))
+    if len(sizes) > 1:
+        groups = np.repeat(np.arange(frames), len(sizes))
+        simple = np.asarray(shapely.is_simple(shapely.multilinestrings(loops, indices=groups)))
+    else:
+        simple = np.asarray(shapely.is_simple(loops))
+    doubtful = np.flatnonzero(~simple)
+    if len(doubtful):
+        simple[doubtful] = ~_crossing(points[doubtful], sizes)
+    return simple
+
+
+def _crossing(points: Points, sizes: tuple[int, ...]) -> Mask:
+    """In which frames (F, M, 2) rings of so many points cross, and do not only touch."""
+    low = points.min(axis=(0, 1))
+    extent = float((points.max(axis=(0, 1)) - low).max()) or 1.0
+    points = (points - low) / extent
+    frames, count, _ = points.shape
+    first = np.cumsum([0, *sizes])[:-1]
+    following = np.arange(1, count + 1)
+    following[first + np.array(sizes) - 1] = first
+    edges = np.stack([points, points[:, following]], axis=2)
+    # Side by side, so that one tree finds the pairs of each frame.
+    beside = edges + np.stack([2.0 * np.arange(frames), np.zeros(frames)], axis=-1)[:, None, None]
+    segments = shapely.linestrings(beside.reshape(-1, 2, 2))
+    i, j = shapely.STRtree(segments).query(segments)
+    frame, one, other = i // count, i % count, j % count
+    kept = (one < other) & (following[one] != other) & (following[other] != one)
+    frame, one, other = frame[kept], one[kept], other[kept]
+    away = np.stack(
+        [_from_line(edges[frame, p], edges[frame, q]) for p, q in ((one, other), (other, one))]
+    )
+    through = ((away > DEPTH).any(axis=-1) & (away < -DEPTH).any(axis=-1)).all(axis=0)
+    found = np.zeros(frames, dtype=bool)
+    found[frame[through]] = True
+    # What crosses just where a corner is does so by no edge alone.
+    for k in np.flatnonzero(~found).tolist():
+        found[k] = _overlapping(np.split(points[k], first[1:]))
+    return found
+
+
+def _from_line(segments: Points, lines: Points) -> Points:
+    """Signed distances (K, 2) of the ends of segments (K, 2, 2) from lines through others' ends."""
+    way = lines[:, 1] - lines[:, 0]
+    length = np.hypot(way[:, 0], way[:, 1])
+    beside = cross(way[:, None], segments - lines[:, :1])
+    return np.asarray(beside / np.where(length > 0, length, np.inf)[:, None])
+
+
+def _overlapping(rings: Sequence[Points]) -> bool:
+    """Whether rings enclose an area twice or inside out, or lie on each other in part."""
+    polygons = shapely.make_valid(np.array([shapely.Polygon(ring) for ring in rings]))
+    areas = shapely.area(polygons)
+    enclosed = np.array([abs(float(polygon_area(ring))) for ring in rings])
+    if (np.abs(areas - enclosed) > LEAST_AREA).any():
+        return True
+    i, j = np.triu_indices(len(rings), 1)
+    common = shapely.area(shapely.intersection(polygons[i], polygons[j]))
+    return bool((np.minimum(common, np.minimum(areas[i], areas[j]) - common) > LEAST_AREA).any())
 
 
 def crossing_frames(curves: Curves, counts: Sequence[int], closed: Sequence[bool]) -> Mask:
