@@ -2,20 +2,33 @@
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapetween.base.errors import OutlineError
 from shapetween.match import Matcher
 from shapetween.match.correspondence import Correspondence
+from shapetween.match.frames import MIN_TURN
 from shapetween.model.outline import Outline
 from shapetween.model.remembered import by_curves
+from shapetween.outline.matching import upright_of
+from shapetween.scene.assign import Roles
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.turning import total_turning
-from shapetween.scene.relations import in_common, pictures
+from shapetween.scene.relations import Scene, in_common, pictures
 
 if TYPE_CHECKING:
     import shapely
 
-__all__ = ["CONVEX", "filling", "nothing_corresponds", "own_matching", "share_of_hull"]
+__all__ = [
+    "CONVEX",
+    "filling",
+    "hopeless_pairs",
+    "nothing_corresponds",
+    "only_turns",
+    "own_matching",
+    "share_of_hull",
+]
 
 #: Share of its hull from which on what an outline encloses counts as convex. At 1 rounding makes a
 #: disc concave; smaller, and letters are taken for discs.
@@ -26,6 +39,14 @@ CONVEX = 0.95
 #: beyond was ready, of those below most were. Smaller, and a sun leaves for a moon to come; larger,
 #: and an hourglass melts into a skull.
 DOUBTFUL, COUNTS, UNLIKE = 0.8, 2.0, 0.4
+
+#: What a pair of parts may cost, its doubt counting with it, before it is given up. Smaller, and
+#: eyes leave for others to come; larger, and a cow's horn becomes the shade of a pig's ear.
+HOPELESS = 2.5
+
+#: Cost of a pair that is certain however doubtful its matching is. Larger, and more matchings are
+#: looked for in vain; smaller, and one of two ears may tear.
+CERTAIN = 0.3
 
 #: Likeness of outlines that are one, drawn anew, however they are matched. Larger, and a folder
 #: leaves for an open one to come.
@@ -48,23 +69,73 @@ def own_matching(source: Outline, target: Outline) -> Correspondence | None:
         return None
 
 
+def hopeless_pairs(a: Scene, b: Scene, roles: Roles) -> set[int]:
+    """Indices of the pairs of parts that have little reason to be pairs, and would tear.
+
+    Never the largest one, which is asked about with the drawings as wholes; with one of two mates
+    the other.
+    """
+    share = [min(a.sizes[r.first] / a.scale, b.sizes[r.second] / b.scale) for r in roles.pairs]
+    main = int(np.round(share, 9).argmax()) if share else -1
+    found: set[int] = set()
+    for k, role in enumerate(roles.pairs):
+        if k == main or role.reason != "matched" or role.cost < CERTAIN:
+            continue
+        doubt = _unlike_doubt(a.items[role.first], b.items[role.second])
+        if doubt is not None and round(role.cost + doubt, 6) > HOPELESS:
+            found.add(k)
+    places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
+    for k in tuple(found):
+        first, second = roles.pairs[k].first, roles.pairs[k].second
+        for one in a.axes:
+            for other in b.axes:
+                mates = int(one.mates[first]), int(other.mates[second])
+                if mates in places and roles.pairs[places[mates]].reason == "matched":
+                    found.add(places[mates])
+    for (first, second), k in places.items():
+        whole = places.get((int(a.outlined[first]), int(b.outlined[second])))
+        if whole in found:
+            found.add(k)
+    return found
+
+
+def _unlike_doubt(one: Item, other: Item) -> float | None:
+    """How doubtful the matching of two areas is, how unlike they are counting with it.
+
+    None of areas that become each other well however they are matched.
+    """
+    if not (one.filled and other.filled):
+        return None
+    if isinstance(form_of(one), RoundedBox) and isinstance(form_of(other), RoundedBox):
+        return None
+    if _grows_from_disc(one, other) or _grows_from_disc(other, one):
+        return None
+    seen = pictures([item.replaced(item.rings[:1]) for item in (one, other)])
+    unlike = 1 - float(in_common(seen[:1], seen[1:])[0, 0])
+    if unlike < 1 - SAME:
+        return None
+    found = own_matching(one.outer.clockwise(), other.outer.clockwise())
+    return None if found is None else found.doubt + COUNTS * (unlike - UNLIKE)
+
+
 def nothing_corresponds(one: Item, other: Item) -> bool:
     """Whether two areas are too unlike, and their matching too doubtful, to become each other.
 
     A disc becomes a crescent.
     """
-    if not (one.filled and other.filled):
-        return False
-    if _grows_from_disc(one, other) or _grows_from_disc(other, one):
-        return False
-    seen = pictures([item.replaced(item.rings[:1]) for item in (one, other)])
-    unlike = 1 - float(in_common(seen[:1], seen[1:])[0, 0])
-    if unlike < 1 - SAME:
-        return False
+    doubt = _unlike_doubt(one, other)
+    return doubt is not None and round(doubt, 6) > DOUBTFUL
+
+
+def only_turns(one: Item, other: Item) -> bool:
+    """Whether two areas' own matching has nothing to offer but a turn that neither asks for.
+
+    An envelope whose corner is cut off becomes one that lacks another corner.
+    """
     found = own_matching(one.outer.clockwise(), other.outer.clockwise())
-    if found is None:
+    if found is None or found.affine is not None:
         return False
-    return round(found.doubt + COUNTS * (unlike - UNLIKE), 6) > DOUBTFUL
+    return abs(upright_of(found).turn) > MIN_TURN
 
 
 def _grows_from_disc(one: Item, other: Item) -> bool:

@@ -4,7 +4,7 @@ Seen by how they lie: two alike at one height on either side of a middle, what l
 below them, what stands at the foot. It is no more than evidence for who becomes whom.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntFlag
 
 import numpy as np
@@ -59,6 +59,14 @@ CARRIES, MOST_CARRIED = 0.05, 4
 #: share of its own: then there is no body, but several.
 BODY, ALONE = 0.2, 0.97
 
+#: Greatest ratio of sizes of a head and the part of it that a face is on. Larger, and a robot's
+#: screen makes its body a head; at 1 the muzzle of an ape is its head.
+FRONT = 1.7
+
+#: Least size of a head, as a share of the largest item's, to be the body instead. Smaller, and
+#: a snowman is his head; larger, and a clown is his hair.
+HEADED = 0.5
+
 #: Height from the middle of the drawing, as a share of its height, below which wheels stand; how
 #: far they are apart, as a share of its width; and their greatest size, as a share of the drawing.
 FOOT, WHEELBASE, WHEEL = 0.15, 0.3, 0.35
@@ -75,6 +83,7 @@ class Feature(IntFlag):
     MOUTH = 32
     MUZZLE = 64
     WHEEL = 128
+    HEAD = 256
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,6 +130,11 @@ def features_of(scene: Scene, repeated: Sets) -> Features:
             own = [row for row in rows if row.anchor == anchor]
             _face(scene, anchor, own, ancestors, sides_of_boxes, found)
         _wheels(scene, rows, found)
+        heads = np.flatnonzero(kinds == Feature.HEAD)
+        if len(heads) == 1 and found.body >= 0:
+            head = int(heads[0])
+            if scene.sizes[head] > HEADED * scene.sizes[found.body]:
+                return replace(found, body=head)
     return found
 
 
@@ -197,6 +211,9 @@ def _face(
     eyes = _eyes(scene, anchor, rows, between, boxes, ancestors)
     if eyes is None:
         return
+    head = _head(scene, anchor)
+    if not found.kinds[head]:
+        found.kinds[head] = Feature.HEAD
     level = (centres[eyes.left, 1] + centres[eyes.right, 1]) / 2
     size = float(np.sqrt(scene.sizes[eyes.left] * scene.sizes[eyes.right]))
     _mark(eyes, Feature.EYE, found)
@@ -211,6 +228,15 @@ def _face(
     dark = float(scene.colours[[eyes.left, eyes.right], 0].mean())
     light = scene.colours[:, 0] > dark + LIGHTER
     _nose_and_mouth(scene, lower, anchor, apart, light, boxes, found)
+
+
+def _head(scene: Scene, anchor: int) -> int:
+    """What the thing that a face is on is the front of, or that itself."""
+    while True:
+        parent = int(scene.parents[anchor])
+        if parent < 0 or scene.sizes[parent] > FRONT * scene.sizes[anchor]:
+            return anchor
+        anchor = parent
 
 
 def _eyes(

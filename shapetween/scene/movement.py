@@ -20,6 +20,7 @@ from shapetween.scene.assign import Roles
 from shapetween.scene.attachments import kept_to
 from shapetween.scene.borders import bordered_tracks
 from shapetween.scene.disturbance import waviest, waviness
+from shapetween.scene.doubtful import hopeless_pairs
 from shapetween.scene.exchange import (
     LEFT,
     behind_both,
@@ -151,6 +152,7 @@ def move_scene(
     may = asked.exchange != "never" and not kept and frame is None
     with settings.observe("move"):
         if may:
+            roles = roles.without(hopeless_pairs(a, b, roles))
             behind = behind_both(a, b, roles)
             exchange = asked.exchange == "always" or too_different(a, b, roles, behind)
         if not exchange:

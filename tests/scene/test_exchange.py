@@ -496,3 +496,20 @@ def test_a_rounded_triangle_comes_apart_into_two_rounded_bars(tmp_path: Path) ->
     bars = '<rect x="{}" y="14" width="26" height="72" rx="7"/>'
     found = made(tmp_path, play, bars.format(18) + bars.format(56))
     assert not is_exchanged(found)
+
+
+def test_a_small_part_that_nobody_could_say_how_it_becomes_another_is_alone(tmp_path: Path) -> None:
+    """A torn pair is worse than none."""
+    body = '<rect x="2" y="2" width="96" height="96" rx="8" fill="#fc5"/>'
+    curl = '<path d="M40 10L72 8L64 60Q56 20 40 10z" fill="#333"/>'
+    hook = '<path d="M28 60Q50 94 70 64L66 92L28 94L36 80z" fill="#333"/>'
+    first, second = body + curl, body + hook
+    assert alone(made(tmp_path, first, second)) == 1
+    assert alone(made(tmp_path, first, second, pairing="loose")) == 0
+    assert alone(made(tmp_path, first, body + curl.replace("M40 10", "M38 14"))) == 0
+
+
+def alone(found: Morph) -> int:
+    """How many parts of the first drawing have no partner."""
+    assert found.prepared.scene is not None
+    return len(found.prepared.scene.roles.disappearing)

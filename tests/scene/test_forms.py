@@ -146,3 +146,13 @@ def test_a_bar_turns_upright_and_a_screen_is_made_upright(
     ]
     track = box_blend(boxes[0], boxes[1], *map(Places, outlines))
     assert abs(track.turn) == pytest.approx(turn)
+
+
+@pytest.mark.parametrize(("long", "turns"), [(2.4, True), (1.8, False)])
+def test_a_wall_never_turns_over_and_a_bar_may(long: float, turns: bool) -> None:
+    """Where sides differ so much, both ways: a wall's windows would turn with it."""
+    sides = (46.0, 46.0 / long), (20.0, 40.0)
+    outlines = [rounded(*own, 1.0, 1.0) for own in sides]
+    boxes = [RoundedBox(np.zeros(2), np.array(own), 0.0, np.ones(2)) for own in sides]
+    track = box_blend(boxes[0], boxes[1], *map(Places, outlines))
+    assert (abs(track.turn) > 1) == turns

@@ -245,6 +245,17 @@ def test_shade_melts_into_what_it_lies_on_and_shapes_do_not(tmp_path: Path) -> N
     assert disc.style(0.7).opacity == 1
 
 
+@pytest.mark.parametrize(("radius", "melts"), [(6, True), (3.4, False)])
+def test_a_ground_that_others_stay_on_melts_and_a_small_one_shrinks(
+    tmp_path: Path, radius: float, melts: bool
+) -> None:
+    """An ape's muzzle would grow as a lump below its nostrils; the white of an eye is a ghost."""
+    nose = '<circle cx="12" cy="13" r="1.5" fill="#222"/>'
+    muzzle = f'<circle cx="12" cy="13" r="{radius}" fill="#a33"/>'
+    (part,) = lone(morph(tmp_path, FACE + nose, FACE + muzzle + nose), arrives=True)
+    assert (0 < part.style(0.7).opacity < 1) == melts
+
+
 def test_rays_keep_to_what_they_surround_all_alike(tmp_path: Path) -> None:
     turns = range(0, 360, 45)
     rays = "".join(f'<path transform="rotate({k} 12 12)" d="M12 2v3"/>' for k in turns)

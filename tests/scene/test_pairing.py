@@ -126,8 +126,25 @@ def test_features_of_a_face_are_seen() -> None:
     )
     _, found = partners(text, FACE)
     eyes, brows = [Feature.EYE] * 2, [Feature.BROW] * 2
-    expected = [Feature(0), *eyes, *brows, Feature.NOSE, Feature.MOUTH]
+    expected = [Feature.HEAD, *eyes, *brows, Feature.NOSE, Feature.MOUTH]
     assert features(found.scenes[0]) == expected
+
+
+def test_a_head_is_what_a_face_is_the_front_of_and_the_body_instead_of_hair() -> None:
+    """A clown's hair is larger than his face; on a robot's screen a face is no head of it."""
+    eyes = '<circle cx="42" cy="46" r="4"/><circle cx="58" cy="46" r="4"/><path d="M42 60h16v4z"/>'
+    paint = f'<circle cx="50" cy="52" r="20" fill="#fff"/>{eyes}'
+    hair = '<path d="M6 34a44 44 0 0 1 88 0v16h-88z" fill="#46e"/>'
+    clown = f'{hair}<circle cx="50" cy="50" r="26" fill="#fc9"/>{paint}'
+    _, found = partners(clown, FACE)
+    kinds = features(found.scenes[0])
+    assert [k for k, kind in enumerate(kinds) if kind == Feature.HEAD] == [1]
+    assert features_of(found.scenes[0], sets_of(found.scenes[0])).body == 1
+    robot = f'<rect x="4" y="10" width="92" height="86" fill="#999"/>{paint}'
+    _, found = partners(robot, FACE)
+    kinds = features(found.scenes[0])
+    assert [k for k, kind in enumerate(kinds) if kind == Feature.HEAD] == [1]
+    assert features_of(found.scenes[0], sets_of(found.scenes[0])).body == 0
 
 
 def test_a_winking_eye_is_an_eye_and_a_mouth_never_becomes_one() -> None:

@@ -12,6 +12,10 @@ __all__ = ["HALF_TIE", "box_blend"]
 #: that grows long in place turns over; more, and a bar does not turn upright.
 RIGHT_ANGLE = 1.0
 
+#: The same of boxes that are no bars, and the ratio of sides up to which one is none. Less, and a
+#: wall turns over with its windows; at a larger ratio a card that is laid down changes its sides.
+BLOCK_ANGLE, BLOCK = 3.0, 2.0
+
 #: Turn that is a tie between both ways, radians: it goes clockwise.
 HALF_TIE = 1e-6
 
@@ -25,6 +29,8 @@ def box_blend(one: RoundedBox, other: RoundedBox, source: Places, target: Places
     choices = []
     # A line is a box of no height.
     least = 1e-9 * float(max(one.sides.max(), other.sides.max()))
+    block = any(box.sides.max() < BLOCK * box.sides.min() for box in (one, other))
+    right_angle = BLOCK_ANGLE if block else RIGHT_ANGLE
     for quarter in range(-1, 3):
         turn = other.angle - one.angle + quarter * np.pi / 2
         turn = float((turn + np.pi) % (2 * np.pi) - np.pi)
@@ -33,7 +39,7 @@ def box_blend(one: RoundedBox, other: RoundedBox, source: Places, target: Places
         change = float(
             np.abs(np.log(np.maximum(one.sides, least) / np.maximum(sides, least))).sum()
         )
-        cost = change + RIGHT_ANGLE * abs(turn) / (np.pi / 2)
+        cost = change + right_angle * abs(turn) / (np.pi / 2)
         choices.append((round(cost, 6), turn < 0, turn, quarter))
     _, _, turn, quarter = min(choices)
     knots = []

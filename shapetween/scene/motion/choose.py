@@ -17,7 +17,7 @@ from shapetween.match.matcher import registered
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.outline.matching import upright_of
-from shapetween.scene.doubtful import own_matching
+from shapetween.scene.doubtful import only_turns, own_matching
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
@@ -183,6 +183,8 @@ def _closed(
     turning = turning_excess(corners.track)
     agreed = turning.simple and _as_matched(corners, first, second, upright=True)
     if agreed and (turning.smooth or _blobs(first, second)):
+        return simple, ()
+    if turning.simple and only_turns(first, second):
         return simple, ()
     try:
         by_engine, notices = elastic(ends, settings, names)

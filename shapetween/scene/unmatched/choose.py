@@ -46,6 +46,11 @@ SHADE = 0.16
 #: Share of shade that lies on what it is the shade of, and not in its holes.
 LIES_ON = 0.8
 
+#: Least size, as a share of what it lies on, of an area that melts into that because what lies on
+#: it stays: an ape's muzzle would grow as a lump between its eyes. Smaller, and the whites of eyes
+#: are ghosts; larger, and the muzzle is a lump.
+GROUND = 0.4
+
 #: Size at which what grows is first seen: a share of its own, and at most one of the drawing. With
 #: none, what comes is a speck first; with much, it snaps into place.
 LEAST, LEAST_SEEN = 0.3, 0.06
@@ -181,7 +186,10 @@ def _by_itself(k: int, side: Side) -> Going | None:
     parent = staying_parent(k, scene, side.anchors)
     if parent is not None and item.filled and scene.items[parent].filled:
         away = np.abs(scene.colours[k] - scene.colours[parent]).sum()
-        if away < SHADE and scene.common(k, parent) > LIES_ON * item.area:
+        ground = scene.sizes[k] > GROUND * scene.sizes[parent] and any(
+            scene.parents[j] == k and scene.items[j].filled for j in side.anchors
+        )
+        if (away < SHADE or ground) and scene.common(k, parent) > LIES_ON * item.area:
             return Going(Leaving(side.window, fades=True), side.carry(parent, item.centre, "in"))
     return None
 
