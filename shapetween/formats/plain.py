@@ -4,14 +4,47 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import prod
 
+import numpy as np
+
+from shapetween.base.arrays import Floats
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Colour, Gradient, Style
-from shapetween.model.part import Part
+from shapetween.model.part import Part, shown_while
 
-__all__ = ["colour_losses", "group_losses", "plain_style", "plain_styles"]
+__all__ = [
+    "AT_ONCE",
+    "PAINT_TIMES",
+    "colour_losses",
+    "group_losses",
+    "paint_times",
+    "plain_style",
+    "plain_styles",
+]
+
+#: Times at which paint is looked at: it changes evenly, and slower than shapes.
+PAINT_TIMES = np.linspace(0.0, 1.0, 31)
+
+#: How long after it comes, or before it goes, a part is looked at besides: some fade there in a
+#: moment. Fewer, and a fade takes a thirtieth of the time; more is not seen.
+BESIDE = 2.0 ** np.arange(4) / 480
+
+#: How long a part takes that comes or goes at once. Longer, and it is seen half transparent; less
+#: than frames are told in falls on one.
+AT_ONCE = 1e-4
 
 #: Times at which groups are looked at: a movement's ends from inside, and half-way.
 LOOKED = (1e-6, 0.5, 1 - 1e-6)
+
+
+def paint_times(part: Part) -> Floats:
+    """Times from 0 to 1 at which the paint of a part is looked at, (S,), increasing.
+
+    Even ones, and those about where it comes or goes in mid-way, which it may do at once.
+    """
+    low, high = shown_while(part)
+    comes = [low - AT_ONCE, low, *(low + BESIDE)] if low > 0 else []
+    goes = [*(high - BESIDE), high, high + AT_ONCE] if high < 1 else []
+    return np.union1d(PAINT_TIMES, [time for time in (*comes, *goes) if 0 < time < 1])
 
 
 def plain_styles(part: Part, times: Sequence[float]) -> list[Style]:

@@ -11,7 +11,9 @@ from math import prod
 
 import numpy as np
 
+from shapetween.base.arrays import Floats
 from shapetween.formats.lottie.properties import SIDE, Json, moving, short, transform
+from shapetween.formats.plain import PAINT_TIMES, paint_times
 from shapetween.model.drawing import Box
 from shapetween.model.effects import Group
 from shapetween.model.movement import Movement
@@ -28,8 +30,8 @@ ALPHA, LUMA = 1, 3
 #: How far an opacity in percent may be off between two keyframes: a step of the 255 of a screen.
 OPACITY_TOLERANCE = 100.0 / 255
 
-Draw = Callable[[Part, str, Sequence[Style] | None], list[Json]]
-"""The layers of a part, of that name, with its own styles or those given, in paint order."""
+Draw = Callable[[Part, str, Sequence[Style], Floats], list[Json]]
+"""The layers of a part, of that name, with its styles at times of its own, in paint order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,17 +70,13 @@ class Compositions:
     Parameters
     ----------
     movement : Movement
-    times : sequence of float
-        At which paint is looked at, inside of the movement.
     frame : Frame
     draw : callable
     """
 
-    def __init__(
-        self, movement: Movement, times: Sequence[float], frame: Frame, draw: Draw
-    ) -> None:
+    def __init__(self, movement: Movement, frame: Frame, draw: Draw) -> None:
         self._frame, self._draw = frame, draw
-        self._times = np.array(times)
+        self._times = _inside(PAINT_TIMES)
         first, last = movement.at(np.array([0.0, 1.0]))
         self._members = members_of(movement.parts, (first.shapes, last.shapes), self._times)
         self._paths = paths_of(self._members)
@@ -102,8 +100,9 @@ class Compositions:
         if self._nest is None:
             self._nest = Nest(layers, self._open)
         part = self._members[index].part
-        styles = [self._plain(part.style(float(t))) for t in self._times]
-        self._nest.at(self._paths[index]).extend(self._draw(part, name, styles))
+        times = paint_times(part)
+        styles = [self._plain(part.style(t)) for t in _inside(times).tolist()]
+        self._nest.at(self._paths[index]).extend(self._draw(part, name, styles, times))
 
     @property
     def assets(self) -> list[Json]:
@@ -157,7 +156,7 @@ class Compositions:
             if mask.plain:
                 white = Colour(1.0, 1.0, 1.0)
                 styles = [replace(each, fill=white, fill_rule="evenodd") for each in styles]
-            inside += self._draw(part, "mask", styles)
+            inside += self._draw(part, "mask", styles, PAINT_TIMES)
         return {**layer, "td": 1}, ALPHA if plain else LUMA
 
     def _composition(self, what: str, opacity: Sequence[float]) -> tuple[Json, list[Json]]:
@@ -191,3 +190,8 @@ class Compositions:
             "st": 0,
             "bm": 0,
         }
+
+
+def _inside(times: Floats) -> Floats:
+    """Times at which a style has all that it needs on the way."""
+    return np.clip(times, 1e-6, 1 - 1e-6)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from shapetween.base.arrays import Floats
 from shapetween.formats.grid import Grid
 from shapetween.formats.keyed import Keyed, keyed
 from shapetween.formats.lottie.groups import Compositions, Frame, frame_size, in_order
@@ -17,7 +18,6 @@ from shapetween.formats.lottie.properties import (
     transform,
 )
 from shapetween.formats.options import WriteOptions
-from shapetween.formats.plain import plain_styles
 from shapetween.model.movement import Movement
 from shapetween.model.paint import Style
 from shapetween.model.part import Part
@@ -25,12 +25,6 @@ from shapetween.model.tracks import style_tracks
 from shapetween.svg.write.animate_style import COLOUR_TOLERANCE
 
 __all__ = ["leg_layers"]
-
-#: Times at which paint is looked at: it changes evenly, and slower than shapes.
-PAINT_TIMES = np.linspace(0.0, 1.0, 31)
-
-#: The same, where a style has all it needs on the way.
-INNER = np.clip(PAINT_TIMES, 1e-6, 1 - 1e-6).tolist()
 
 
 def leg_layers(
@@ -50,13 +44,12 @@ def leg_layers(
     """
     losses: list[str] = []
 
-    def drawn(part: Part, title: str, own: Sequence[Style] | None = None) -> list[Json]:
-        styles = plain_styles(part, INNER) if own is None else list(own)
-        made, lost = _part_layers(part, styles, title, grid, options, length)
+    def drawn(part: Part, title: str, styles: Sequence[Style], times: Floats) -> list[Json]:
+        made, lost = _part_layers(part, styles, length * times, title, grid, options, length)
         losses.extend(f"{title}: {loss}" for loss in lost)
         return made
 
-    groups = Compositions(movement, INNER, Frame(name, length, frame_size(grid.box)), drawn)
+    groups = Compositions(movement, Frame(name, length, frame_size(grid.box)), drawn)
     layers: list[Json] = []
     for number, part in enumerate(movement.parts, start=1):
         groups.add(layers, number - 1, part.name or f"part {number}")
@@ -66,12 +59,13 @@ def leg_layers(
 def _part_layers(
     part: Part,
     styles: Sequence[Style],
+    frames: Floats,
     name: str,
     grid: Grid,
     options: WriteOptions,
     length: float,
 ) -> tuple[list[Json], list[str]]:
-    """A layer for each kind of paint that a part has in its time, as it is at samples of that."""
+    """A layer for each kind of paint that a part has in its time, as it is at some frames."""
     if not visible(styles):
         return [], []
     keys = keyed(part, options, max(grid.box.width, grid.box.height))
@@ -80,7 +74,6 @@ def _part_layers(
         {"ty": "sh", "ks": moving_values(length * keys.clock, [[path] for path in ring])}
         for ring in rings
     ]
-    frames = length * PAINT_TIMES
     scale = 100 * SIDE * grid.step / max(grid.box.width, grid.box.height)
     layers = []
     for track in style_tracks(styles, by_words=True):

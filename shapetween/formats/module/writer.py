@@ -19,6 +19,7 @@ from shapetween.formats.module.encoding import vlq
 from shapetween.formats.module.groups import nest
 from shapetween.formats.module.styles import track_nodes
 from shapetween.formats.options import WriteOptions
+from shapetween.formats.plain import PAINT_TIMES, paint_times
 from shapetween.formats.sampled import Sampled, enough_times, sampled
 from shapetween.formats.table import Segments, Written
 from shapetween.model.part import Part
@@ -38,9 +39,6 @@ HANDLE_WEIGHT = 0.75
 #: The times of a part's ends are taken this far inside, and the ends themselves kept apart. So
 #: nothing that happens at the very ends alone has to be followed by a smooth function.
 INSIDE = 1e-6
-
-#: Times at which paint is looked at: it changes evenly, and slower than shapes.
-PAINT_TIMES = np.linspace(0.0, 1.0, 31)
 
 HEAD = (
     "// Made with shapetween. d(t) is path data, play(element) plays it.\n"
@@ -107,12 +105,13 @@ def _part(part: Part, grid: Grid, decimals: int) -> list[Any]:
     inside = np.concatenate([[0.0], np.clip(times, INSIDE, 1 - INSIDE), [1.0]])
     shape = sampled(part, inside, size)
     text, scales = _curves(shape, times, grid, TOLERANCE * size / grid.step)
-    inner = np.clip(PAINT_TIMES, INSIDE, 1 - INSIDE).tolist()
+    looked = paint_times(part)
+    inner = np.clip(looked, INSIDE, 1 - INSIDE).tolist()
     styles = [replace(part.style(t), groups=()) for t in inner]
     tracks = [
         [
-            _short(PAINT_TIMES[track.start]),
-            *track_nodes(track, PAINT_TIMES, decimals, TOLERANCE * size),
+            _short(looked[track.start]),
+            *track_nodes(track, looked, decimals, TOLERANCE * size),
         ]
         for track in style_tracks(styles)
     ]
