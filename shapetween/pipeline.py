@@ -25,7 +25,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Exchange, Pairing, groups_of
-from shapetween.scene.exchange import pierced_apart
+from shapetween.scene.doubtful import pierced_apart
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, in_view, items_of
 from shapetween.scene.joining import joined_lines

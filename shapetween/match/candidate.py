@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 
@@ -16,7 +15,6 @@ __all__ = [
     "DISTINCT",
     "PLACES",
     "Candidate",
-    "Halves",
     "agrees",
     "apart",
     "around",
@@ -35,11 +33,6 @@ DISTINCT = 0.03
 PLACES = 512
 
 
-Halves: TypeAlias = tuple[Floats | None, Floats | None]
-"""Of each outline that is even but for something on one side: which places of both sides belong
-together, (2, K) shares of their lengths, neither ever falling; of one that is even None."""
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Candidate:
     """A matching found in one frame.
@@ -53,8 +46,6 @@ class Candidate:
         The frame: the angle the first outline was turned by.
     ends : (2 g, 2) float64 or None
         Rows a, b of the ends of the axes of symmetry that it keeps, where it keeps any.
-    halves : Halves
-        How both sides belong together of an outline that is nearly even about its axis.
     """
 
     a: Floats
@@ -62,7 +53,6 @@ class Candidate:
     cost: float
     turn: float
     ends: Floats | None = None
-    halves: Halves = (None, None)
 
 
 def distinct(

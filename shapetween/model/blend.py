@@ -107,7 +107,7 @@ def _between(a: Style, b: Style, t: float, turn: float) -> Style:
         return a
     return Style(
         fill=blend_paints(a.fill, b.fill, t, turn),
-        stroke=_blend_strokes(a.stroke, b.stroke, t, turn),
+        stroke=_strokes_between(a, b, t, turn),
         opacity=_mix(a.opacity, b.opacity, t),
         fill_rule=_either(a.fill_rule, b.fill_rule, t),
         groups=blend_groups(a.groups, b.groups, t, lambda p, q: _between(p, q, t, turn)),
@@ -265,6 +265,21 @@ def _mean_colour(gradient: Gradient) -> Colour:
     weights = widths * alphas / alpha if alpha > 0 else widths
     labs = np.array([to_oklab(stop.colour) for stop in gradient.stops])
     return from_oklab(weights @ labs, alpha)
+
+
+def _strokes_between(a: Style, b: Style, t: float, turn: float) -> Stroke | None:
+    """The stroke of a style on its way.
+
+    One of the colour of what it goes round is a border of that, and grows from nothing: fading, it
+    would be a grey rim.
+    """
+    for one, share in ((a, 1 - t), (b, t)):
+        other = b if one is a else a
+        if one.stroke is None or other.stroke is not None or other.fill is None:
+            continue
+        if one.stroke.paint == one.fill:
+            return replace(one.stroke, width=one.stroke.width * share)
+    return _blend_strokes(a.stroke, b.stroke, t, turn)
 
 
 def _blend_strokes(a: Stroke | None, b: Stroke | None, t: float, turn: float) -> Stroke | None:

@@ -10,7 +10,7 @@ from shapetween.scene.assign import Role, Roles
 from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["holes_apart", "intricacy", "recoloured", "waviest", "waviness"]
+__all__ = ["MANY_HOLES", "holes_apart", "intricacy", "recoloured", "waviest", "waviness"]
 
 #: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
 #: more than what they are on; larger, and the limbs of an animal are not seen.

@@ -13,12 +13,12 @@ from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.backdrops import backdrops
 from shapetween.scene.disturbance import holes_apart, intricacy, recoloured
-from shapetween.scene.doubtful import CONVEX, filling, nothing_corresponds, share_of_hull
+from shapetween.scene.doubtful import nothing_corresponds, share_of_hull
 from shapetween.scene.forms import RoundedBox, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.likeness import goes_elsewhere
 from shapetween.scene.pairs import of_one_kind
-from shapetween.scene.relations import Scene, drawn_box, in_common, picture, pictures
+from shapetween.scene.relations import Scene, drawn_box, in_common, picture
 from shapetween.scene.torn import closes
 from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.presence import Leaving
@@ -32,7 +32,6 @@ __all__ = [
     "difference",
     "exchange_goings",
     "exchange_roles",
-    "pierced_apart",
     "too_different",
 ]
 
@@ -69,18 +68,14 @@ INTRICATE, WAVY, PIERCING = 0.2, 7.0, 1.0
 #: leaves for a moon to come; larger, and a rocket becomes a star.
 ONE_THING = 0.36
 
-#: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
-#: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
-#: below most did. Smaller, and a bag leaves for a pin to come; larger, and letters' bowls tear.
-PIERCED = 0.47
-
-#: Share of what the outer outline encloses that holes take up from which on they count. Smaller,
-#: and the eyelet of a pen makes a silhouette an area with holes; larger, and letters have none.
-OPEN = 0.04
-
 #: What counts, beside the share of both drawings that has no partner, of how unlike the largest
 #: pair's pictures are, and of how much more of its hull one of that pair fills.
 UNLIKE, HOLLOW = 0.5, 1.0
+
+#: Way of a pair, as a share of the drawing, and logarithm of its sizes, from which on together
+#: nothing of a drawing is kept by it. Smaller, and what makes room for a badge is not seen to stay;
+#: larger, and an angle becomes the fold of a sheet that comes across it.
+OFF_WAY, OFF_SIZES = 0.3, 0.5
 
 #: Distance of the ends of a line, as a share of its length, up to which it is seen as an outline.
 #: Larger, and an arc is a disc; smaller, and a bolt drawn with a gap is nothing like a bolt.
@@ -180,21 +175,6 @@ def too_different(
     return bool(np.round(against, 6) > least)
 
 
-def pierced_apart(one: Item, other: Item) -> bool:
-    """Whether two areas, one with a hole at least, are too unlike for one to become the other.
-
-    Convex ones move well, however they lie.
-    """
-    if not (one.filled and other.filled) or max(_open(one), _open(other)) < OPEN:
-        return False
-    if min(filling(one), filling(other)) > CONVEX:
-        return False
-    if nothing_corresponds(one, other):
-        return True
-    found = pictures([item.replaced(item.rings[:1]) for item in (one, other)])
-    return 1 - float(in_common(found[:1], found[1:])[0, 0]) > PIERCED
-
-
 def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     """How little two drawings have in common, less what the largest pair keeps of a drawing.
 
@@ -220,13 +200,22 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     bodies = [item.drawn if areas else _body(item) for item in (one, other)]
     seen = [picture(body, np.reshape(body.bounds, (2, 2)))[None] for body in bodies]
     alike = float(in_common(seen[0], seen[1])[0, 0])
-    kept = alike * weight
-    if closes(one, other, (a.scale + b.scale) / 2):
+    scale = (a.scale + b.scale) / 2
+    if closes(one, other, scale):
         # A ring that comes down onto an open line has little of its place and of its hull.
-        return alone - kept
+        return alone - alike * weight
+    stays = one.filled == other.filled and one.closed == other.closed
+    kept = alike * weight if stays and not _goes_off(a, b, i, j, scale) else 0.0
     lines = not (one.filled or one.closed or other.filled or other.closed)
     hollow = 0.0 if lines else abs(share_of_hull(bodies[0]) - share_of_hull(bodies[1]))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow - kept)
+
+
+def _goes_off(a: Scene, b: Scene, i: int, j: int, scale: float) -> bool:
+    """Whether one of a pair is elsewhere in its drawing and of another size."""
+    way = float(np.linalg.norm(a.centres[i] - b.centres[j]))
+    growth = abs(float(np.log(a.sizes[i] / b.sizes[j])))
+    return way > OFF_WAY * scale and growth > OFF_SIZES
 
 
 def _ends(roles: Roles, behind: Behind) -> tuple[Index, Index]:
@@ -391,9 +380,3 @@ def _lowest(scene: Scene, ground: int) -> float:
         ),
         default=-np.inf,
     )
-
-
-def _open(item: Item) -> float:
-    """Share of what an item encloses that is hole."""
-    enclosed = item.enclosed.area
-    return float(1 - item.area / enclosed) if enclosed > 0 else 0.0

@@ -216,6 +216,18 @@ def test_nothing_is_the_other_paint_transparent() -> None:
     )
 
 
+def test_a_border_of_the_colour_of_what_it_goes_round_grows_and_others_fade() -> None:
+    black, red = Colour(0, 0, 0), Colour(1, 0, 0)
+    plain = Style(fill=black)
+    for paint, width, alpha in ((black, 0.5, 1.0), (red, 2.0, 0.25)):
+        bordered = Style(fill=black, stroke=Stroke(paint, 2.0))
+        for one, other, t in ((plain, bordered, 0.25), (bordered, plain, 0.75)):
+            found = blend(one, other, t).stroke
+            assert found is not None
+            assert isinstance(found.paint, Colour)
+            assert (found.width, found.paint.alpha) == (width, alpha)
+
+
 def test_an_unbroken_line_is_dashes_that_meet() -> None:
     dashed, solid = Stroke(Colour(), dashes=(4.0, 2.0)), Stroke(Colour())
     near_end = blend(Style(stroke=dashed), Style(stroke=solid), 0.75).stroke

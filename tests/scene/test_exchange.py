@@ -513,3 +513,33 @@ def alone(found: Morph) -> int:
     """How many parts of the first drawing have no partner."""
     assert found.prepared.scene is not None
     return len(found.prepared.scene.roles.disappearing)
+
+
+PEN = 'fill="none" stroke="#000" stroke-width="6" stroke-linecap="round" stroke-linejoin="round"'
+SHEET = f'<path d="M28 10h30l16 16v64h-46z" {PEN}/><path d="M58 10v16h16" {PEN}/>'
+WORDS = f'<path d="M38 50h24" {PEN}/><path d="M38 62h24" {PEN}/><path d="M38 74h16" {PEN}/>'
+
+
+def test_what_would_be_small_and_elsewhere_does_not_keep_drawings_together(tmp_path: Path) -> None:
+    """An angle's legs are like the fold of a sheet, at another place and much larger."""
+    angle = f'<path d="M14 26v60h60" {PEN}/><path d="M14 56a30 30 0 0 1 30 30" {PEN}/>'
+    assert is_exchanged(made(tmp_path, angle, SHEET + WORDS))
+    nearly = f'<path d="M50 8v24h24" {PEN}/><path d="M20 60h24" {PEN}/>'
+    assert not is_exchanged(made(tmp_path, nearly, SHEET))
+
+
+def test_a_closed_line_that_is_torn_open_keeps_nothing(tmp_path: Path) -> None:
+    clip = f'<path d="M74 40l-36 36a14 14 0 0 1-20-20l40-40a22 22 0 0 1 30 30l-40 42" {PEN}/>'
+    sheet = f'<rect x="20" y="10" width="56" height="80" rx="10" {PEN}/>'
+    assert is_exchanged(made(tmp_path, sheet + WORDS, clip))
+
+
+@pytest.mark.parametrize(("holes", "apart"), [(1, False), (2, True)])
+def test_convex_areas_move_unless_several_holes_swim(
+    tmp_path: Path, holes: int, apart: bool
+) -> None:
+    bar = "M70 8l22 22-62 62-22-22z" + ["M64 24l12 12-40 40-12-12z", ""][holes - 1]
+    bar += "M60 26l6 6-34 34-6-6zM70 36l6 6-34 34-6-6z" * (holes - 1)
+    box = "M8 8h84v84h-84z" + "M20 24h60v20h-60z" + "M20 56h60v20h-60z" * (holes - 1)
+    one, other = (f'<path fill-rule="evenodd" d="{d}"/>' for d in (bar, box))
+    assert is_exchanged(made(tmp_path, one, other)) is apart

@@ -502,6 +502,47 @@ def test_large_holes_that_only_one_has_are_not_closed_first() -> None:
     assert max(area.area for area in frames(path(first), path(second))) < 2 * least
 
 
+def test_a_slash_through_an_outline_is_drawn_along_its_length() -> None:
+    """It has little beside it to clear, and is a slash all the same."""
+    frame = BOX.difference(BOX.buffer(-5, join_style="mitre"))
+    gap = affinity.translate(SLASH, 4, -4)
+    after = frame.difference(gap).union(SLASH)
+    along = np.sqrt(0.5) * np.array([1.0, 1.0])
+    for t, area in zip(T, frames(path(frame), path(after)), strict=True):
+        drawn_part = area.difference(frame.buffer(0.1))
+        if t in (0, 1) or drawn_part.area < 1:
+            continue
+        tip = float((shapely.get_coordinates(drawn_part) @ along).max())
+        wanted = after.difference(frame.buffer(0.2))
+        behind = [p for p in wanted.geoms if (shapely.get_coordinates(p) @ along).max() < tip - 9]
+        assert all(area.intersection(p).area > 0.95 * p.area for p in behind)
+
+
+def test_what_a_slash_cuts_through_thin_and_thick_falls_to_no_splinters() -> None:
+    comb = shapely.union_all(
+        [shapely.box(10, 46, 90, 54), *(shapely.box(x, 20, x + 14, 80) for x in (14, 43, 72))]
+    )
+    slash = shapely.LineString([(12, 12), (88, 88)]).buffer(4, cap_style="flat")
+    after = comb.difference(affinity.translate(slash, 6, -6)).union(slash)
+    ever = comb.union(after).buffer(0.3)
+    for area in frames(path(comb), path(after)):
+        assert area.difference(ever).area < 0.5
+
+
+def test_what_a_line_clips_away_lies_on_it_no_farther_out_than_it_cuts() -> None:
+    """There and back along a line encloses nothing, but is a hair to renderers."""
+    corner = shapely.union(shapely.box(0, 0, 10, 60), shapely.box(0, 50, 60, 60))
+    corners = np.array(corner.exterior.coords)[:-1]
+    ring = Outline(line_curves(corners, np.roll(corners, -1, axis=0))).clockwise()
+    ahead = np.array([1.0, -1.0]) / np.sqrt(2)
+    low, high = float((corners @ ahead).min()), float((corners @ ahead).max())
+    for behind in (True, False):
+        clip = HalfPlaneClip((ring,), ahead, (low, high), behind)
+        points = clip.curves(np.linspace(0.05, 0.95, 7)).reshape(-1, 2)
+        assert points.min() > -1e-9
+        assert points.max() < 60 + 1e-9
+
+
 def test_wings_on_both_sides_of_a_body_are_no_slash() -> None:
     wide = shapely.Polygon([(14, 40), (86, 40), (80, 80), (20, 80)])
     for area in frames(path(BOX), path(shapely.union(shapely.box(20, 20, 80, 40), wide))):

@@ -104,6 +104,19 @@ class HalfPlaneClip(Leaf):
         """All of them."""
         return (True,) * len(self.rings)
 
+    def _reached(self, aside: Floats, crossing: Mask) -> tuple[Floats, Floats]:
+        """From where to where along the line (F, N) each ring is cut, for each of its curves.
+
+        A ring that is clipped away is cut nowhere, and at one place.
+        """
+        counts = self._runs[1]
+        starts = np.cumsum([0, *counts])[:-1]
+        low = np.minimum.reduceat(np.where(crossing, aside, np.inf), starts, axis=1)
+        high = np.maximum.reduceat(np.where(crossing, aside, -np.inf), starts, axis=1)
+        none = low > high
+        low, high = np.where(none, aside[:, starts], low), np.where(none, aside[:, starts], high)
+        return np.repeat(low, counts, axis=1), np.repeat(high, counts, axis=1)
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         curves, _ = self._runs
@@ -122,13 +135,14 @@ class HalfPlaneClip(Leaf):
         tail = sub_curves(many, at.ravel(), ones).reshape(*shape, 4, 2)
         left, gone = low >= limit, high <= limit
         whole = np.broadcast_to(curves, (*shape, 4, 2))
+        met = np.where(rising[..., None], tail[..., 0, :], head[..., 3, :])
+        reached = self._reached(met @ _square(ahead), ~(left | gone))
         start, end = (
-            whole[..., k, :] + np.maximum(limit - place[..., k], 0.0)[..., None] * ahead
+            _on_line(whole[..., k, :], np.maximum(limit - place[..., k], 0.0), ahead, reached)
             for k in (0, 3)
         )
         # What runs up to the line's side of the plane comes off it, what runs down ends on it.
-        meet = np.where(rising[..., None], tail[..., 0, :], head[..., 3, :])
-        meet = np.where(gone[..., None], np.where(rising[..., None], end, start), meet)
+        meet = np.where(gone[..., None], np.where(rising[..., None], end, start), met)
         meet = np.where(left[..., None], np.where(rising[..., None], start, end), meet)
         drawn = np.where(rising[..., None, None], tail, head)
         drawn = np.where(left[..., None, None], whole, drawn)
@@ -142,6 +156,23 @@ class HalfPlaneClip(Leaf):
         last = ends[int(comparable(ends @ ahead).argmax())]
         result[line >= float((ends @ ahead).max())] = last
         return linked(result, self.counts)
+
+
+def _square(ahead: Points) -> Points:
+    return np.array([-ahead[1], ahead[0]])
+
+
+def _on_line(
+    points: Points, short: Floats, ahead: Points, reached: tuple[Floats, Floats]
+) -> Points:
+    """Points (F, N, 2) that fall short of a line on it, no farther out than it cuts anything.
+
+    There and back along it they enclose nothing, but renderers show a hair.
+    """
+    square = _square(ahead)
+    aside = points @ square
+    within = np.where(short > 0, np.clip(aside, *reached) - aside, 0.0)
+    return np.asarray(points + short[..., None] * ahead + within[..., None] * square)
 
 
 def extent_along(rings: Sequence[Outline], ahead: Points) -> tuple[float, float]:

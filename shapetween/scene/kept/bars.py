@@ -32,6 +32,10 @@ SLOT = 5.0
 #: one side, where both sides are alike; much more, and steep slashes are none.
 OBLIQUE = 0.3
 
+#: Least share of the strips beside a bar that counts as what an area had there. Smaller, and a bar
+#: drawn over a corner is a slash.
+THERE = 0.1
+
 #: How far from a bar's middle line a piece may reach to be clipped with it, in halves of its width:
 #: the gaps beside a slash are up to as wide as the slash.
 BESIDE = 3.2
@@ -73,15 +77,20 @@ class Bar:
         ends = self.centre + np.array([[-0.5], [0.5]]) * self.length * self.ahead
         return bool(shapely.distance(shapely.LineString(ends), area) <= BESIDE * self.half)
 
-    def beside(self, area: "shapely.Geometry") -> float:
-        """Share of the strips along both its sides, as wide as half of it, that an area covers."""
+    def clears(self, left: "shapely.Geometry", gone: "shapely.Geometry") -> float:
+        """Share that is gone of what an area had in the strips along both its sides.
+
+        They are as wide as half of it. What has little there had at least `THERE` of them.
+        """
         import shapely
 
         ends = self.centre + np.array([[-0.5], [0.5]]) * self.length * self.ahead
         line = shapely.LineString(ends)
         wide, own = (line.buffer(k * self.half, cap_style="flat") for k in (2.0, 1.0))
         strips = wide.difference(own)
-        return float(strips.intersection(area).area / strips.area)
+        cleared = float(strips.intersection(gone).area)
+        had = cleared + float(strips.intersection(left).area)
+        return cleared / max(had, THERE * float(strips.area))
 
     @property
     def around(self) -> "shapely.Geometry":

@@ -54,9 +54,10 @@ LARGE = 0.15
 #: free at its ends; edges that move leave pieces free along all their length.
 GAP = 0.8
 
-#: Share of a slash that may be missing in the area that has it, and least share of the strips along
-#: it that are cleared for it. Less, and wings that a body gets on both sides are a slash.
-BARRED, CLEARED = 0.03, 0.12
+#: Share of a slash that may be missing in the area that has it, and least share that is cleared of
+#: what was beside it: on one side at least most is. Less, and wings that a body gets on both sides
+#: are a slash; more, and the slash through an outline comes in chunks.
+BARRED, CLEARED = 0.03, 0.2
 
 #: Cosine of the angle of a stroke and of the bar that it is drawn with. Smaller, and tips leave it.
 ALONG = 0.999
@@ -236,7 +237,7 @@ def _common_bar(pieces: Sequence[Piece], kept: "shapely.Geometry") -> list[Bar]:
         whole = shapely.union_all([kept, *(piece.area for piece in side)])
         if bar is None or hull.difference(whole).area > BARRED * hull.area:
             continue
-        if bar.beside(shapely.union_all([p.area for p in sides[1 - comes]])) > CLEARED:
+        if bar.clears(kept, shapely.union_all([p.area for p in sides[1 - comes]])) > CLEARED:
             return [bar]
     return []
 
@@ -265,12 +266,14 @@ def _along(bar: Bar, group: Sequence[Piece], laid: Overlay) -> list[CurveTrack]:
         tip = Tip(centres, stroke.half, (first, last), bar.comes)
     tracks: list[CurveTrack] = []
     for p, own in zip(group, rings, strict=True):
-        if p.comes == bar.comes:
-            tracks.append(tip.under(own) if tip else Strip(own, bar.ahead, ends, behind=True))
-        elif bar.holds(shapely.get_coordinates(p.area)):
-            tracks.append(Strip(own, bar.ahead, ends, behind=False))
+        behind = p.comes == bar.comes
+        beside = behind or bar.holds(shapely.get_coordinates(p.area))
+        if behind and tip is not None:
+            tracks.append(tip.under(own))
+        elif beside and (strip := Strip(own, bar.ahead, ends, behind)).keeps_to(p.area):
+            tracks.append(strip)
         else:  # It is no strip: what becomes of one is a claw of it.
-            tracks.append(HalfPlaneClip(own, bar.ahead, ends, behind=False))
+            tracks.append(HalfPlaneClip(own, bar.ahead, ends, behind))
     return tracks if tip is None else [*tracks, tip]
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from shapetween.geometry.bezier import evaluate, line_curves
 from shapetween.model.outline import Outline
 from shapetween.model.part import Leaf
 from shapetween.scene.kept.appearing import OfRings, unit_circle
+
+if TYPE_CHECKING:
+    import shapely
 
 __all__ = ["Strip", "Tip", "Under"]
 
@@ -28,6 +32,11 @@ WITHIN = 0.995
 #: Share of a strip's width within which its sides are one line along it. Larger, and round ends are
 #: taken for sides; smaller, and what rounding has turned a little is none.
 ONE = 1e-3
+
+#: Sizes at which it is looked at whether a strip keeps to its area, and the share of that which may
+#: be out of it. Larger, and what a slash cuts out of thin and thick parts falls to splinters;
+#: smaller, and what it cuts from a ring is none.
+SIZES, STRAY = (0.25, 0.5, 0.75), 0.02
 
 #: Points of a curve that strips are measured by.
 MEASURED = np.linspace(0.0, 1.0, 17)
@@ -81,6 +90,21 @@ class Strip(OfRings):
         met = (low <= place) & (place <= high)
         far = sign * np.where(met, there, -np.inf).max(axis=(-2, -1))
         return np.asarray(far[..., None] * self.ahead + place[..., 0] * aside)
+
+    def keeps_to(self, area: "shapely.Geometry") -> bool:
+        """Whether it stays within an area: what is in its bays may come out of them."""
+        import shapely
+
+        for size in SIZES:
+            shorter = self._far + size * (self._whole - self._far)
+            rings = np.split(shorter, np.cumsum(self.counts)[:-1])
+            polygons = [
+                shapely.make_valid(shapely.Polygon(evaluate(r, MEASURED).reshape(-1, 2)))
+                for r in rings
+            ]
+            if shapely.union_all(polygons).difference(area).area > STRAY * area.area:
+                return False
+        return True
 
     @cached_property
     def _window(self) -> tuple[float, float]:
