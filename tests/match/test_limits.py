@@ -11,6 +11,7 @@ from shapetween.base.errors import OptionError, OutlineError
 from shapetween.match import register as registering
 from shapetween.match.costs import prepare, sample_features, upright_features
 from shapetween.match.even import even_matchings
+from shapetween.match.facing import faces_other_way
 from shapetween.match.features import describe
 from shapetween.match.match import _Comparison
 from shapetween.match.matcher import Matcher, registered
@@ -210,3 +211,49 @@ def test_tables_are_looked_through_in_parts() -> None:
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert_known("match", "memory", [round(peak / 1e5)])
+
+
+def flag(left: float) -> np.ndarray:
+    """A pole with two arms, of which so much is on its left and the rest on its right."""
+    right = 5 - left
+    above = [[1, 4], [right, 4], [right, 5], [1, 5], [1, 7.5], [1.2 * right, 8]]
+    below = [[-1.2 * left, 9], [-1.2 * left, 8], [0, 7.5], [0, 5], [1 - left, 5], [1 - left, 4]]
+    return np.array([[0.0, 0], [1, 0], *above, [1.2 * right, 9], *below, [0, 4]])
+
+
+def test_what_faces_the_other_way_is_known() -> None:
+    """A flag and others that lie more and more on the other side of their poles."""
+    facing = []
+    for own in (1.3,):
+        for left in np.linspace(2.0, 3.9, 39):
+            one, other = polygon(flag(own)), polygon(flag(left))
+            found = Matcher(one, other).match()
+            facing.append(faces_other_way(prepare(one), prepare(other), found))
+    assert_known("match", "facing", [float(sum(facing))])
+
+
+def test_what_is_even_but_for_a_tuft_is_known() -> None:
+    even = []
+    for corners in (3, 5):
+        for tuft in np.linspace(0.05, 0.25, 21):
+            one, other = regular(corners), regular(corners, 0.8)
+            other[1:3] *= np.array([[1 + tuft], [1 - tuft / 3]])
+            found = _Comparison(prepare(polygon(one)), prepare(polygon(other)), np.zeros((0, 2)))
+            best = found._found(0.0, found._unlike(), False).best
+            even.append(best.candidate.ends is not None)
+    assert_known("match", "even but for a tuft", [float(sum(even[:21])), float(sum(even[21:]))])
+
+
+def test_how_many_places_a_copy_is_looked_at_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[int] = []
+    points = registering._Whitened.points
+
+    def counted(self: Any, places: Any) -> Any:
+        looked[-1] += len(places)
+        return points(self, places)
+
+    monkeypatch.setattr(registering._Whitened, "points", counted)
+    for one in (polygon(star(8)), disc()):
+        looked.append(0)
+        register(one, one.transformed(rotation(0.3)))
+    assert_known("match", "places looked at", looked)
