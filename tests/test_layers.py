@@ -42,25 +42,12 @@ def users(library: str) -> set[str]:
     }
 
 
-#: What is recursive by nature: a style may have groups, whose masks are shapes, which have styles;
-#: and text is outlined as paths, one of which may be clipped by text.
-RECURSIVE = {
-    "shapetween.model.effects": {"shapetween.model.drawing"},
-    "shapetween.model.paint": {"shapetween.model.drawing", "shapetween.model.effects"},
-    "shapetween.model.gradients": {"shapetween.model.drawing"},
-    "shapetween.svg.read.subpaths": {"shapetween.svg.read.text"},
-}
-
-
 def test_modules_never_import_each_other_in_a_circle() -> None:
-    """Nor inside functions or for types alone, but for what is recursive by nature."""
+    """Nor inside functions or for types alone."""
     graph = {
         name: {i for i in imported(tree) if i in MODULES and i != name}
         for name, tree in MODULES.items()
     }
-    for name, others in RECURSIVE.items():
-        assert others <= graph[name]
-        graph[name] -= others
     # A package's face only hands names on; what it imports from inside itself is no circle.
     for name in graph:
         graph[name] = {i for i in graph[name] if not name.startswith(f"{i}.")}

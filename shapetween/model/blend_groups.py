@@ -12,9 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Style
+from shapetween.model.paint import Filter, Group, Mask, Primitive, Style
 
 __all__ = ["blend_groups"]
 

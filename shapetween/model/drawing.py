@@ -6,8 +6,7 @@ import numpy as np
 
 from shapetween.base.arrays import Affine
 from shapetween.model.gradients import moved_group, moved_style
-from shapetween.model.outline import Outline
-from shapetween.model.paint import Style
+from shapetween.model.paint import Shape
 
 __all__ = ["Box", "Drawing", "Shape"]
 
@@ -20,24 +19,6 @@ class Box:
     y: float
     width: float
     height: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Shape:
-    """Rings that are filled or stroked together, as one path.
-
-    Attributes
-    ----------
-    rings : tuple of Outline
-        In the drawing's user units, all transforms applied.
-    style : Style
-    name : str
-        The element's ``id``, else its label, else empty.
-    """
-
-    rings: tuple[Outline, ...]
-    style: Style
-    name: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,16 +7,23 @@ halfway between a matrix and its half turn everything does.
 """
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
 from shapetween.base.arrays import Affine, Floats
-from shapetween.model.effects import Filter, Group, Mask
-from shapetween.model.paint import Colour, Gradient, Pattern, Stop, Style, Texture
-
-if TYPE_CHECKING:
-    from shapetween.model.drawing import Shape
+from shapetween.model.paint import (
+    Colour,
+    Filter,
+    Gradient,
+    Group,
+    Mask,
+    Pattern,
+    Shape,
+    Stop,
+    Style,
+    Texture,
+)
 
 __all__ = [
     "IDENTITY",
@@ -132,7 +139,7 @@ def moved_group(group: Group, matrix: Affine, *, refit: bool = False) -> Group:
     )
 
 
-def _moved_shape(shape: "Shape", matrix: Affine) -> "Shape":
+def _moved_shape(shape: Shape, matrix: Affine) -> Shape:
     """A shape of a mask; its stroke grows as its area does."""
     style = moved_style(shape.style, matrix)
     stroke = style.stroke

@@ -18,10 +18,9 @@ from shapetween.formats.plain import (
     plain_style,
 )
 from shapetween.model.drawing import Box, Shape
-from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.movement import Movement
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Colour, Gradient, Stop, Style
+from shapetween.model.paint import Colour, Filter, Gradient, Group, Mask, Primitive, Stop, Style
 from shapetween.model.part import shown_while
 from tests.movements import circle, formula_part, spin
 

@@ -15,9 +15,8 @@ from shapetween.base.arrays import Floats
 from shapetween.formats.lottie.properties import SIDE, Json, moving, short, transform
 from shapetween.formats.plain import PAINT_TIMES, paint_times
 from shapetween.model.drawing import Box
-from shapetween.model.effects import Group
 from shapetween.model.movement import Movement
-from shapetween.model.paint import Colour, Style
+from shapetween.model.paint import Colour, Group, Style
 from shapetween.model.part import Part
 from shapetween.svg.write.animate_groups import group_tracks, mask_parts, members_of, paths_of
 from shapetween.svg.write.groups import Nest, faded_opacity

@@ -12,8 +12,8 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.formats.module.styles import moving_node
-from shapetween.model.effects import Group
 from shapetween.model.movement import Movement
+from shapetween.model.paint import Group
 from shapetween.svg.write.animate_groups import group_tracks, members_of, paths_of
 from shapetween.svg.write.groups import Nest
 from shapetween.svg.write.plain_elements import group_elements

@@ -21,9 +21,8 @@ from shapetween.boolean.trace import traced
 from shapetween.geometry.affine import affine, compose
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Shape
-from shapetween.model.effects import Group, Mask
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Colour, FillRule, Style
+from shapetween.model.paint import Colour, FillRule, Group, Mask, Style
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import rings_of
 from shapetween.svg.read.frames import Frame, Layer, Placed

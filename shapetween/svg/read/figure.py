@@ -16,8 +16,9 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.painting import picture_style, style_of
 from shapetween.svg.read.pathdata import Subpath
+from shapetween.svg.read.paths import in_range
 from shapetween.svg.read.rings import encloses_nothing, ring_of, unfolded
-from shapetween.svg.read.subpaths import in_range, subpaths_of
+from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.units import number
 
 __all__ = ["rings_of", "shapes_of"]

@@ -13,8 +13,7 @@ import tinycss2
 from shapetween.base.arrays import Affine
 from shapetween.geometry.affine import IDENTITY, mapped, mean_scale, stretch
 from shapetween.model.drawing import Box
-from shapetween.model.effects import Filter, Primitive
-from shapetween.model.paint import Colour
+from shapetween.model.paint import Colour, Filter, Primitive
 from shapetween.svg.read.colours import parse_paint, reference_of
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer

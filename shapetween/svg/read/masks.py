@@ -16,9 +16,8 @@ from shapetween.boolean.area import filled_area
 from shapetween.boolean.chords import chords_of
 from shapetween.geometry.affine import affine, compose, mapped
 from shapetween.model.drawing import Box, Shape
-from shapetween.model.effects import Mask
 from shapetween.model.outline import Outline
-from shapetween.model.paint import Colour, FillRule, Gradient, Paint, Stroke
+from shapetween.model.paint import Colour, FillRule, Gradient, Mask, Paint, Stroke
 from shapetween.svg.read.clip import CLIP_WORK, Clipper, Region
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer, Placed

@@ -14,7 +14,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats
 from shapetween.model.drawing import Shape
-from shapetween.model.effects import Group, Mask
+from shapetween.model.paint import Group, Mask
 from shapetween.svg.read.clip import Clipper, Region
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.figure import shapes_of

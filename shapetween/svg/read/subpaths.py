@@ -1,61 +1,25 @@
-"""The subpaths that an element draws, in its own coordinates."""
-
-import re
-from collections.abc import Iterable
-
-import numpy as np
+"""The subpaths that any element draws, in its own coordinates: a shape's, or a text's letters'."""
 
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Placed
 from shapetween.svg.read.pathdata import Subpath
-from shapetween.svg.read.shapes import basic_shape
-from shapetween.svg.read.units import GREATEST
+from shapetween.svg.read.paths import in_range, path_of
 
-__all__ = ["in_range", "subpaths_of"]
-
-LOST_TAIL = "a shape was drawn only as far as its data is sound"
-LOST_RANGE = "a ring with numbers out of all range was left out"
-
-_CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(["'])(.*)\1\s*\)""", re.DOTALL)
+__all__ = ["subpaths_of"]
 
 
 def subpaths_of(document: Document, placed: Placed) -> tuple[Subpath, ...]:
-    """The subpaths of a shape's element in its local coordinates; what is unsound is counted.
+    """The subpaths of an element in its local coordinates; what is unsound is counted.
 
     Raises
     ------
     BudgetError
     """
-    viewport = placed.frame.viewport
-    if placed.tag == "text":
-        from shapetween.svg.read.text import letters_of  # it stands on paths, which are read here
+    if placed.tag != "text":
+        return path_of(document, placed)
+    if document.fonts is None:
+        return ()
+    from shapetween.svg.read.text import letters_of  # slow to import, and most drawings have none
 
-        if document.fonts is None:
-            return ()
-        letters = letters_of(document, placed)
-        return in_range(document, [sub for letter in letters for sub in letter.subpaths])
-    data = document.geometry.get((placed.element, viewport))
-    if data is None:
-        values = dict(placed.values)
-        path = _CSS_PATH.fullmatch(values.get("d", "").strip())
-        if path:
-            values["d"] = path[2]
-        tag = "rect" if placed.tag == "image" else placed.tag  # it has no corners to round
-        data = basic_shape(tag, values, viewport, document.limits.path_commands)
-        document.geometry[placed.element, viewport] = data
-    document.spend("path_commands", data.commands)
-    if data.problem:
-        where = f"in {placed.name!r}, " if placed.name else ""
-        document.losses.add(LOST_TAIL, where + data.problem)
-    return in_range(document, data.subpaths)
-
-
-def in_range(document: Document, subpaths: Iterable[Subpath]) -> tuple[Subpath, ...]:
-    """Subpaths without those that overflowed, or hold what is not a number."""
-    kept = []
-    for subpath in subpaths:
-        if np.abs(subpath.curves).max(initial=0.0) <= GREATEST:
-            kept.append(subpath)
-        else:
-            document.losses.add(LOST_RANGE)
-    return tuple(kept)
+    letters = letters_of(document, placed)
+    return in_range(document, [sub for letter in letters for sub in letter.subpaths])

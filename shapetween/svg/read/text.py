@@ -21,8 +21,8 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.fontface import Face, Glyph, face_of
 from shapetween.svg.read.frames import Frame, Placed
 from shapetween.svg.read.pathdata import Subpath
+from shapetween.svg.read.paths import path_of
 from shapetween.svg.read.shapes import SHAPES, basic_shape
-from shapetween.svg.read.subpaths import subpaths_of
 from shapetween.svg.read.textruns import (
     Character,
     characters_of,
@@ -362,7 +362,7 @@ def _line(document: Document, placed: Placed, target: Element) -> Points | None:
     shape = Placed(target, local_name(target), placed.frame)
     own = parse_transform(shape.element.get("transform", ""))
     lines = []
-    for subpath in subpaths_of(document, shape):
+    for subpath in path_of(document, shape):
         if len(subpath.curves):
             points = [flatten(subpath.curves, CHORDS), subpath.curves[-1:, 3]]
             lines.append(np.concatenate(points))

@@ -8,8 +8,7 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Floats
 from shapetween.model.drawing import Shape
-from shapetween.model.effects import Filter, Group, Mask, Primitive
-from shapetween.model.paint import Style
+from shapetween.model.paint import Filter, Group, Mask, Primitive, Style
 from shapetween.model.part import Leaf, Part
 from shapetween.svg.write.animate import animate, animate_choice, animate_number
 from shapetween.svg.write.clock import Clock

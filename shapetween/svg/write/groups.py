@@ -11,9 +11,8 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from shapetween.model.drawing import Shape
-from shapetween.model.effects import Filter, Group, Mask, Primitive
 from shapetween.model.gradients import IDENTITY
-from shapetween.model.paint import Colour
+from shapetween.model.paint import Colour, Filter, Group, Mask, Primitive
 from shapetween.svg.write.elements import ALPHA_DECIMALS, GradientDefs, add_shape, alpha_text
 from shapetween.svg.write.numbers import number
 

@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ET
 from typing import Any, TypeAlias
 
 from shapetween.model.drawing import Box
-from shapetween.model.effects import Group
+from shapetween.model.paint import Group
 from shapetween.svg.write.elements import GradientDefs
 from shapetween.svg.write.groups import open_group
 
