@@ -60,6 +60,7 @@ def css(segments: Segments, options: WriteOptions, observe: Observer = unobserve
     page = _Page.of(segments.movements[0].box, options)
     plan = _plan(segments, options)
     rules: dict[float, list[str]] = {}
+    paints: list[tuple[float, str, str]] = []
     for part, (start, end) in zip(parts, plan.ways, strict=True):
         if rules:
             start = max(start, max(rules) + STEP)
@@ -79,10 +80,19 @@ def css(segments: Segments, options: WriteOptions, observe: Observer = unobserve
             rules.setdefault(place(clock), []).append(f"{page.attribute}:{text}")
         if len(keys.clock) == 1:
             rules.setdefault(place(1.0), []).append(rules[place(0.0)][0])
-        for declared, clock in _paint(track, page.paint):
-            rules.setdefault(place(clock), []).append(declared)
+        for clock, attribute, value in _paint(track, page.paint):
+            paints.append((place(clock), attribute, value))
+    values: dict[str, set[str]] = {}
+    for _, attribute, value in paints:
+        values.setdefault(attribute, set()).add(value)
+    # What never changes is no keyframe's: a page may set a colour of its own instead.
+    still = [f"{key}:{min(found)}" for key, found in values.items() if len(found) == 1]
+    still = [each for each in still if each != "opacity:1"]
+    for at, attribute, value in paints:
+        if len(values[attribute]) > 1:
+            rules.setdefault(at, []).append(f"{attribute}:{value}")
     name = identifier(segments.name, "morph")
-    return Written.of(_sheet(name, page, rules, plan, options), warnings)
+    return Written.of(_sheet(name, page, still, rules, plan, options), warnings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,24 +254,22 @@ def _losses(styles: Sequence[Style]) -> list[str]:
     return losses
 
 
-def _paint(styles: Sequence[Style], attribute: str) -> list[tuple[str, float]]:
-    """Declarations of colour and opacity, with their times on the leg's clock; none if black."""
+def _paint(styles: Sequence[Style], attribute: str) -> list[tuple[float, str, str]]:
+    """When on the leg's clock the colour and the opacity are what: time, attribute and value."""
     rows = np.array([[*_colour(style.fill), style.opacity] for style in styles])
     reference = _reference(styles)
     clock = np.linspace(0.0, 1.0, len(rows))
     picks = keyframes(rows[:, :, None], clock, COLOUR_TOLERANCE)
     if (rows == rows[0]).all():
         picks = picks[:1]
-    fades = bool((rows[:, 4] != 1).any())
-    declared: list[tuple[str, float]] = []
+    declared: list[tuple[float, str, str]] = []
     for pick in picks.tolist():
         red, green, blue, alpha, opacity = rows[pick].tolist()
         channels = " ".join(str(round(255 * part)) for part in (red, green, blue))
         clear = "" if alpha == 1 else f"/{alpha_text(alpha)}"
         shade = reference or f"rgb({channels}{clear})"
-        declared.append((f"{attribute}:{shade}", clock[pick]))
-        if fades:
-            declared.append((f"opacity:{alpha_text(opacity)}", clock[pick]))
+        declared.append((clock[pick], attribute, shade))
+        declared.append((clock[pick], "opacity", alpha_text(opacity)))
     return declared
 
 
@@ -289,6 +297,7 @@ def _colour(paint: Paint) -> tuple[float, float, float, float]:
 def _sheet(
     name: str,
     page: _Page,
+    still: Sequence[str],
     rules: dict[float, list[str]],
     plan: _Plan,
     options: WriteOptions,
@@ -300,7 +309,7 @@ def _sheet(
     turning = " alternate" if options.loop == "alternate" else ""
     delay = f" {number(plan.delay, 4)}s" if plan.delay else ""
     animation = f"{name} {number(plan.seconds, 4)}s linear{delay}{endless}{turning} both"
-    own = [*page.measures, *rules[first], f"animation:{animation}"]
+    own = [*page.measures, *still, *rules[first], f"animation:{animation}"]
     places = sorted(rules)
     held = {0.0: rules[first], **rules} if first > 0 else dict(rules)
     if places[-1] < 100:

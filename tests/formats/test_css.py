@@ -1,5 +1,6 @@
 """Style sheets move one shape as the movement does."""
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -128,3 +129,17 @@ def test_a_file_s_name_is_the_class() -> None:
 
 def test_keyframes_are_counted() -> None:
     assert written(one(Style(RED), Style(RED)), keyframes=7).count("clip-path") == 7 + 1
+
+
+def test_a_page_may_set_a_colour_of_its_own_where_none_changes() -> None:
+    still = written(one(Style(RED), Style(RED)))
+    assert still.count("background-color") == 1
+    assert "opacity" not in still
+    assert "background-color" not in still.partition("@keyframes")[2]
+    changes = written(one(Style(RED), Style(BLUE)))
+    assert changes.partition("@keyframes")[2].count("background-color") >= 2
+    faint = written(one(Style(RED, opacity=0.5), Style(RED, opacity=0.5)))
+    assert faint.count("opacity:.5") == 1
+    legs = one(Style(RED), Style(RED)), one(Style(RED, opacity=0.5), Style(RED, opacity=0.5))
+    chained = written(*legs)
+    assert {"opacity:1", "opacity:.5"} <= set(re.findall(r"opacity:[.\d]+", chained))
