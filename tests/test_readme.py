@@ -14,6 +14,7 @@ import pytest
 
 import shapetween
 from shapetween.cli import main
+from tests.benchmarks import sizes
 
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
@@ -21,6 +22,9 @@ README = (ROOT / "README.md").read_text("utf-8")
 COMMANDS = [line.strip() for line in README.splitlines() if line.startswith("    ")]
 RUN = [line for line in COMMANDS if line.startswith("shapetween ") and " studio " not in line]
 STUDIO = [line for line in COMMANDS if line.startswith("shapetween studio ")]
+#: How far a median size may be from what the README says of it before it is to be written anew.
+NEAR = 0.05
+
 SETUPS = [line for line in COMMANDS if line.startswith("python3 -m venv .venv && ")]
 
 
@@ -139,3 +143,12 @@ def test_files_that_are_shown_exist() -> None:
     text = re.sub(r"^```.*?^```", "", README, flags=re.MULTILINE | re.DOTALL)
     for path in re.findall(r'(?:src="|\]\()([^"):]+\.\w+)', text):
         assert (ROOT / path).is_file(), path
+
+
+def test_sizes_are_those_of_what_is_written_today() -> None:
+    """All of our own rows, and how many pairs they are the medians of."""
+    assert f"Median of {len(list(sizes.pairs()))} pairs of the gallery" in README
+    for name, *found, _ in sizes.table():
+        (row,) = re.findall(rf"^\| {re.escape(name)} \| ([\d,]+) \| ([\d,]+) \|", README, re.M)
+        told = [int(number.replace(",", "")) for number in row]
+        assert told == pytest.approx(found, rel=NEAR), name
