@@ -204,7 +204,7 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     if closes(one, other, scale):
         # A ring that comes down onto an open line has little of its place and of its hull.
         return alone - alike * weight
-    stays = one.filled == other.filled and one.closed == other.closed
+    stays = one.closed == other.closed
     kept = alike * weight if stays and not _goes_off(a, b, i, j, scale) else 0.0
     lines = not (one.filled or one.closed or other.filled or other.closed)
     hollow = 0.0 if lines else abs(share_of_hull(bodies[0]) - share_of_hull(bodies[1]))

@@ -166,7 +166,9 @@ def of_one_kind(first: Item, second: Item) -> tuple[Item, Item]:
 def _outline_of(line: Item) -> Item:
     """The area that a line's stroke covers."""
     if line.painted is not None:
-        area = tuple(ring.clockwise() for ring in line.painted.rings)
+        # Which side of a closed line is the outer one depends on the way it runs.
+        sides = sorted(line.painted.rings, key=lambda ring: -abs(ring.area))
+        area = tuple(ring.clockwise() for ring in sides)
         return Item(area if line.closed else area[:1], line.painted.style, line.shape, line.name)
     shape = outlined(Shape(line.rings, line.style, line.name))
     regions, _ = regions_of(shape, line.name)

@@ -11,13 +11,14 @@ import pytest
 from shapetween.geometry.affine import mapped
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.fit import fit_matrix
-from shapetween.model.paint import Colour, Gradient, Stop
+from shapetween.model.paint import Colour, Gradient, Stop, Stroke, Style
 from shapetween.pipeline import Options, prepare
 from shapetween.scene.asked import Asked, groups_of
 from shapetween.scene.features import Feature, features_of
-from shapetween.scene.items import Item, items_of
+from shapetween.scene.items import Item, Painted, items_of
 from shapetween.scene.joining import joined_lines
 from shapetween.scene.pairing import Paired, pair_items
+from shapetween.scene.pairs import of_one_kind
 from shapetween.scene.relations import Scene
 from shapetween.scene.sets import sets_of
 from shapetween.scene.strokes.outlined import as_lines
@@ -398,3 +399,16 @@ def test_as_many_in_one_paint_all_have_partners() -> None:
     second = [area(square(10 * k, 45, 6), colour=RED) for k in range(4)]
     assert become(first, second) == [(0, 0), (1, 1), (2, 2), (3, 3)]
     assert become(first[:3], second) != become(first, second)
+
+
+@pytest.mark.parametrize("inner_first", [True, False])
+def test_a_closed_line_beside_an_area_goes_round_with_its_outer_side(inner_first: bool) -> None:
+    """Which of its sides is painted first depends on the way it runs: walls were run through."""
+    ink = Style(fill=Colour())
+    frame = Item((square(10, 10, 80), square(20, 20, 60)), ink)
+    sides = frame.rings[::-1] if inner_first else frame.rings
+    stroke = Style(None, Stroke(Colour(), 10.0))
+    bordered = Item((square(15, 15, 70),), stroke, painted=Painted(sides, ink))
+    for one, other in (of_one_kind(bordered, frame), of_one_kind(frame, bordered)[::-1]):
+        assert abs(one.rings[0].area) > abs(one.rings[1].area)
+        assert abs(other.rings[0].area) > abs(other.rings[1].area)
