@@ -1,6 +1,8 @@
 """Areas of which most stays where it is: that stands still, and only the difference moves."""
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,8 +16,9 @@ from shapetween.geometry.polygon import polygon_area
 from shapetween.model.drawing import Drawing
 from shapetween.model.outline import Outline
 from shapetween.pipeline import Options, Prepared, prepare
+from shapetween.scene.items import items_of
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
-from shapetween.scene.kept.badges import Bitten
+from shapetween.scene.kept.badges import Bitten, badges_of
 from shapetween.scene.kept.holes import holes_in_turn
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Piece
@@ -451,6 +454,21 @@ def test_a_bite_opens_round_a_badge_as_that_grows(centre: tuple[float, float]) -
             now = [place.buffer(size * reach, 16) for reach in (9, 14)]
             expected = shapely.union(BOX.difference(now[1]), now[0])
             assert off(area, expected) < 1.6
+
+
+@pytest.mark.parametrize(("left", "count"), [(0.9, 0), (1.5, 1)])
+def test_more_than_what_is_left_was_not_bitten_off_by_a_badge(left: float, count: int) -> None:
+    """A globe's lines are not what an arrow in its ring had bitten off."""
+    disc, middle = shapely.Point(50, 50).buffer(30, 64), shapely.box(0, 0, 60, 100)
+    arc, edge = (
+        disc.boundary.intersection(middle),
+        disc.intersection(shapely.LineString([(60, 0), (60, 100)])),
+    )
+    piece = Piece(disc.intersection(middle), True, shapely.line_merge(arc), edge)
+    kept = affinity.translate(shapely.box(0, 0, 1, left * piece.area.area), 200, 0)
+    (dot,) = read_svg(f"{PAGE}<circle cx='50' cy='50' r='19'/></svg>".encode(), "x").shapes
+    laid: Any = SimpleNamespace(pieces=(piece,), kept=kept)
+    assert len(badges_of(laid, (items_of((dot,), "x")[0], ()), 100.0)) == count
 
 
 def test_a_body_with_a_badge_is_exact_at_both_ends() -> None:

@@ -27,6 +27,10 @@ WIDEST = 0.15
 #: Most by which that gap varies, as a share of its mean: a bite is the badge's own offset shape.
 VARIES = 0.35
 
+#: Most that is bitten off, as a share of what is left. Larger, and a globe's lines are what an
+#: arrow in its ring had bitten off; smaller, and a badge as large as half a bell pushes it aside.
+MOST_BITTEN = 0.8
+
 #: Least ratio of the distance between the ends of an edge and its length, for it to be no bite.
 #: Smaller, and a shallow bite is none; at 1 rounding makes a bite of a straight edge.
 STRAIGHT = 0.985
@@ -120,6 +124,8 @@ def badges_of(
             found.setdefault((comes, near), []).append(piece)
     badges = []
     for (comes, near), pieces in found.items():
+        if sum(piece.area.area for piece in pieces) > MOST_BITTEN * laid.kept.area:
+            continue
         boxes = np.array([beside[int(comes)][k].box for k in near])
         centre = (boxes[:, 0].min(axis=0) + boxes[:, 1].max(axis=0)) / 2
         middle = _aside(centre, pieces)
@@ -383,13 +389,7 @@ def _passes(offsets: Points, corner: Points) -> list[float]:
     """Parameters at which a curve about the origin (4, 2) lies in a direction."""
     aside = offsets @ np.array([-corner[1], corner[0]])
     steps = np.diff(aside)
-    cubic = [
-        float(aside[3] - aside[0] - 3 * (steps[1])),
-        float(3 * (steps[1] - steps[0])),
-        float(3 * steps[0]),
-        float(aside[0]),
-    ]
-    roots = np.roots(cubic)
+    roots = np.roots([steps @ [1, -2, 1], 3 * (steps[1] - steps[0]), 3 * steps[0], aside[0]])
     real = roots[np.abs(roots.imag) < 1e-9].real
     real = real[(real > 1e-6) & (real < 1 - 1e-6)]
     return [float(t) for t in real if evaluate(offsets[None], np.array([t]))[0, 0] @ corner > 0]
