@@ -25,7 +25,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Exchange, Pairing, groups_of
-from shapetween.scene.doubtful import pierced_apart
+from shapetween.scene.disturbance import tears
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, in_view, items_of
 from shapetween.scene.joining import joined_lines
@@ -35,10 +35,12 @@ from shapetween.scene.limits import limits_of_items
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.mouths import mouth_track
+from shapetween.scene.pierced import opens_well, pierced, pierced_apart, suits_lines
 from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
 from shapetween.scene.strokes.outlined import as_lines
 from shapetween.scene.swelling import swells
+from shapetween.scene.torn import opens
 from shapetween.scene.whole import frame_between, turns_over
 
 if TYPE_CHECKING:
@@ -266,6 +268,8 @@ def _moved(
             return _scene(as_lines(*apart), boxes, asked, settings, names, notices)
     lines = _lined(one, other, boxes)
     areas = free and _two_outlines(one, other) and not swells(one[0], other[0], lines)
+    areas = areas or (free and opens(one, other, lines))
+    may = asked.exchange == "unlike" and not _asked_for(settings)
     if asked.exchange == "unlike" and len(one) == len(other) == 1:
         exchange = _exchange(one[0], other[0], lines, settings, areas=areas)
         asked = replace(asked, exchange=exchange)
@@ -276,6 +280,9 @@ def _moved(
     if free and len(one) == len(other) == 1 and _by_engine(one[0], other[0], settings):
         shapes = [_closed(side[item.shape]) for side, (item,) in ((first, one), (second, other))]
         track, moved = morph_fill(shapes[0], shapes[1], settings, names, alone=True)
+        if may and tears(track) and pierced(one[0], other[0]):
+            asked = replace(asked, exchange="always")
+            return _scene((one, other), boxes, asked, settings, names, notices)
         styles = shapes[0].style, shapes[1].style
         motion = track.whole_motion() if any(map(has_gradient, styles)) else None
         parts = (Part(track.name, (track,), BlendedPaint(styles, motion)),)
@@ -317,11 +324,14 @@ def _exchange(
             return "unlike"
         suited = _by_engine(one, other, settings)
     else:
-        asked = settings.method != "projective" or settings.quads is not None
-        suited = asked or settings.folds == "allow"
-        suited = suited or not all(side[0].filled for side in lines)
-        suited = suited or turns_over(one, other) or mouth_track(one, other) is not None
+        suited = _asked_for(settings) or (suits_lines(one, other, lines) and not areas)
+        suited = suited or turns_over(one, other) or opens_well(one, other)
     return "never" if suited or not pierced_apart(one, other) else "always"
+
+
+def _asked_for(settings: FillSettings) -> bool:
+    """Whether somebody wants a movement of areas that is no other way's."""
+    return (settings.method, settings.quads, settings.folds) != ("projective", None, "prevent")
 
 
 def _lined(

@@ -10,7 +10,15 @@ from shapetween.scene.assign import Role, Roles
 from shapetween.scene.motion.turning import total_turning
 from shapetween.scene.relations import Scene, in_common
 
-__all__ = ["MANY_HOLES", "holes_apart", "intricacy", "recoloured", "waviest", "waviness"]
+__all__ = [
+    "MANY_HOLES",
+    "holes_apart",
+    "intricacy",
+    "recoloured",
+    "tears",
+    "waviest",
+    "waviness",
+]
 
 #: Least size, as a share of the drawing, of what is looked at. Smaller, and a hundred dots weigh
 #: more than what they are on; larger, and the limbs of an animal are not seen.
@@ -35,6 +43,10 @@ MANY_HOLES, HOLED = 2, 0.42
 #: Turning beyond both ends that counts at most. Larger, and a limb that swings outweighs all else;
 #: smaller, and what tears counts as what bulges.
 MOST_WAVES = 0.2
+
+#: Turning beyond both ends, in whole turns, from which on one area with holes is torn that becomes
+#: one other. Smaller, and an eight leaves for a B to come; larger, and a Q melts into a nine.
+TORN = 0.3
 
 #: Sum of differences by which colours of pairs differ in the mean from which on they change.
 #: Smaller, and a shade darker is a change; larger, and a grey rabbit is a brown bear at once.
@@ -99,12 +111,20 @@ def waviness(
         k = places[role.first, role.second]
         if any(i.filled and i.cut for i in (a.items[role.first], b.items[role.second])):
             continue  # a cell is cut straight, and of what it comes from or goes into anyway
-        track = tracks[k][0]
-        curves = track.curves(LOOKED)[:, : track.counts[0]]
-        turns = [total_turning(line, closed=track.closed[0]) for line in curves]
-        waves = share * (max(turns[1:-1]) - max(turns[0], turns[-1]))
-        found[k] = min(max(waves, 0.0), MOST_WAVES)
+        found[k] = min(max(share * _waves(tracks[k][0]), 0.0), MOST_WAVES)
     return found
+
+
+def tears(track: CurveTrack) -> bool:
+    """Whether an outline turns so much more on its way than at its ends that it is torn."""
+    return round(_waves(track), 6) > TORN
+
+
+def _waves(track: CurveTrack) -> float:
+    """By how much an outline turns more on its way than at both ends, in whole turns."""
+    curves = track.curves(LOOKED)[:, : track.counts[0]]
+    turns = [total_turning(line, closed=track.closed[0]) for line in curves]
+    return max(turns[1:-1]) - max(turns[0], turns[-1])
 
 
 def waviest(waves: Mapping[int, float]) -> int:

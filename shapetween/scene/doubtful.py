@@ -12,7 +12,6 @@ from shapetween.model.outline import Outline
 from shapetween.model.remembered import by_curves
 from shapetween.outline.matching import upright_of
 from shapetween.scene.assign import Roles
-from shapetween.scene.disturbance import MANY_HOLES
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.turning import total_turning
@@ -22,11 +21,12 @@ if TYPE_CHECKING:
     import shapely
 
 __all__ = [
+    "CONVEX",
+    "filling",
     "hopeless_pairs",
     "nothing_corresponds",
     "only_turns",
     "own_matching",
-    "pierced_apart",
     "share_of_hull",
 ]
 
@@ -56,14 +56,6 @@ SAME = 0.7
 #: than two. Larger, and hands grow out of discs; smaller, and a sun leaves for a moon to come.
 SIMPLE = 2.0
 
-#: Unlikeness of the outer outlines of two single areas, one with a hole at least, from which on
-#: they are exchanged: of 44 such pairs judged by eye none above looked well as it moved, of those
-#: below most did. Smaller, and a bag leaves for a pin to come; larger, and letters' bowls tear.
-PIERCED = 0.47
-
-#: Share of what the outer outline encloses that holes take up from which on they count. Smaller,
-#: and the eyelet of a pen makes a silhouette an area with holes; larger, and letters have none.
-OPEN = 0.04
 
 #: Pairs of outlines of which the matching is kept: as many as stages ask about in turn.
 KEPT = 16
@@ -147,22 +139,6 @@ def only_turns(one: Item, other: Item) -> bool:
     return abs(upright_of(found).turn) > MIN_TURN
 
 
-def pierced_apart(one: Item, other: Item) -> bool:
-    """Whether two areas, one with a hole at least, are too unlike for one to become the other.
-
-    Convex ones move well, however they lie, if there are not several holes to swim through.
-    """
-    if not (one.filled and other.filled) or max(_open(one), _open(other)) < OPEN:
-        return False
-    few = max(len(one.holes), len(other.holes)) < MANY_HOLES
-    if few and min(filling(one), filling(other)) > CONVEX:
-        return False
-    if nothing_corresponds(one, other):
-        return True
-    found = pictures([item.replaced(item.rings[:1]) for item in (one, other)])
-    return 1 - float(in_common(found[:1], found[1:])[0, 0]) > PIERCED
-
-
 def _grows_from_disc(one: Item, other: Item) -> bool:
     """Whether one area is a disc, of which no place must go anywhere, and the other is simple."""
     form = form_of(one)
@@ -181,9 +157,3 @@ def share_of_hull(area: "shapely.Geometry") -> float:
 
     hull = shapely.convex_hull(area).area
     return float(area.area / hull) if hull > 0 else 1.0
-
-
-def _open(item: Item) -> float:
-    """Share of what an item encloses that is hole."""
-    enclosed = item.enclosed.area
-    return float(1 - item.area / enclosed) if enclosed > 0 else 0.0

@@ -131,8 +131,8 @@ def too_different(
 ) -> bool:
     """Whether two drawings are to be exchanged.
 
-    One thing becomes one other, whatever the two are (of single areas with holes `pierced_apart` is
-    asked).
+    One thing becomes one other, whatever the two are (of single areas with holes
+    `shapetween.scene.pierced.pierced_apart` is asked).
 
     Parameters
     ----------

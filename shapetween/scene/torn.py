@@ -1,5 +1,7 @@
 """Closed lines that would be torn open to become open ones."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from shapetween.base.arrays import Mask
@@ -8,7 +10,7 @@ from shapetween.scene.items import Item
 from shapetween.scene.places import Places
 from shapetween.scene.relations import Scene
 
-__all__ = ["closes", "folds", "torn"]
+__all__ = ["closes", "folds", "opens", "torn"]
 
 #: Greatest distance of an open line's ends, as a share of its length, for a ring to open there.
 #: Larger, and cups unzip to become waves; smaller, and rings with a mouth are left alone.
@@ -53,6 +55,22 @@ def torn(a: Scene, b: Scene) -> Mask:
             for n in np.flatnonzero(off < max(NEAR, ALONG) * scale).tolist():
                 pairs[rings[n], j] = not closes(one.items[rings[n]], line, scale)
     return found
+
+
+def opens(
+    one: Sequence[Item], other: Sequence[Item], lines: tuple[Sequence[Item], Sequence[Item]]
+) -> bool:
+    """Whether one area would be torn open to become one other, both moving as lines.
+
+    A D would be that becomes a P.
+    """
+    if not all(len(side) == 1 for side in (one, other, *lines)):
+        return False
+    if not (one[0].filled and other[0].filled) or any(side[0].filled for side in lines):
+        return False
+    first, second = lines[0][0], lines[1][0]
+    scale = (first.extent + second.extent) / 2
+    return first.closed != second.closed and not closes(first, second, scale)
 
 
 def mouth(line: Item) -> float:

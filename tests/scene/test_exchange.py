@@ -14,6 +14,8 @@ from shapetween.scene.assign import Role, Roles, assign
 from shapetween.scene.disturbance import waviness
 from shapetween.scene.exchange import behind_both, difference, too_different
 from shapetween.scene.items import items_of
+from shapetween.scene.motion.turning import total_turning
+from shapetween.scene.pierced import pierced_apart
 from shapetween.scene.relations import perceive
 from shapetween.svg.read.reader import read_svg
 
@@ -543,3 +545,55 @@ def test_convex_areas_move_unless_several_holes_swim(
     box = "M8 8h84v84h-84z" + "M20 24h60v20h-60z" + "M20 56h60v20h-60z" * (holes - 1)
     one, other = (f'<path fill-rule="evenodd" d="{d}"/>' for d in (bar, box))
     assert is_exchanged(made(tmp_path, one, other)) is apart
+
+
+LETTER = '<path fill-rule="evenodd" d="{}"/>'
+EIGHT = "M10 10h60v80h-60zM24 24v20h32v-20zM24 56v20h32v-20z"
+NINE = "M10 10h60v80h-60v-14h46v-18h-46zM24 24v20h32v-20z"
+ZERO = "M10 10h60v80h-60zM24 24v52h32v-52z"
+TABLE = "M10 10h60v80h-14v-30h-32v30h-14zM24 24v16h32v-16z"
+SEVEN = "M10 10h60v14l-30 66h-16l30-66h-44z"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "exchanged"),
+    [
+        (ZERO, EIGHT, False),
+        (EIGHT, SEVEN, True),
+        (ZERO, "M10 10h60v14h-46v52h46v14h-60z", False),  # a hole opens into a bay
+    ],
+)
+def test_letters_are_exchanged_that_would_be_torn(
+    tmp_path: Path, first: str, second: str, exchanged: bool
+) -> None:
+    found = made(tmp_path, LETTER.format(first), LETTER.format(second))
+    assert is_exchanged(found) == exchanged
+
+
+@pytest.mark.parametrize(("first", "apart"), [(NINE, True), (TABLE, False)])
+def test_what_would_be_a_blot_on_its_way_is_apart(first: str, apart: bool) -> None:
+    """A nine's bay and its hole would close before a zero's hole opens."""
+    ends = [
+        items_of(
+            read_svg(
+                f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{VIEW}">{text}</svg>'.encode(),
+                "it",
+            ).shapes,
+            "it",
+        )[0][0]
+        for text in (LETTER.format(first), LETTER.format(ZERO))
+    ]
+    assert pierced_apart(*ends) == apart
+
+
+def test_a_ring_that_would_be_torn_open_as_a_line_moves_as_an_area(tmp_path: Path) -> None:
+    """A D becomes a P by its bowl; as lines its ring would be torn."""
+    d = "M10 10h34a26 40 0 0 1 0 80h-34zM24 24v52h20a12 26 0 0 0 0-52z"
+    p = "M10 10h36a24 24 0 0 1 0 48h-22v32h-14zM24 24v20h22a10 10 0 0 0 0-20z"
+    found = made(tmp_path, LETTER.format(d), LETTER.format(p))
+    assert not is_exchanged(found)
+    assert not any(notice.kind == "stroke-outline" for notice in found.notices)
+    ring = found.prepared.movement.parts[0].tracks[0]
+    curves = ring.curves(np.array([0.0, 0.5, 1.0]))[:, : ring.counts[0]]
+    turns = [total_turning(own) for own in curves]
+    assert turns[1] < max(turns[0], turns[2]) + 0.3

@@ -41,8 +41,9 @@ SAME = 0.2
 #: Greatest ratio of the two ratios of width to height.
 NARROWER = 1.6
 
-#: Share of its hull from which on a sign is one blot. Larger, and a heart that gets a disc round it
-#: is seen as a thin line; smaller, and a bolt swells to the disc.
+#: Share of its hull from which on a sign, or what is cut out, is one blot. Larger, and a heart that
+#: gets a disc round it is seen as a thin line, and a C as the hole of a D; smaller, and a bolt
+#: swells to the disc.
 BLOT = 0.85
 
 #: Most rings of a sign.
@@ -129,7 +130,9 @@ def _is_shown(mine: Sign, shown: Sign, plate: Item) -> bool:
     if not (sizes > 0).all() or abs(np.diff(np.log(sizes[:, 0] / sizes[:, 1]))) > np.log(NARROWER):
         return False
     own, there = _region(mine), _region(shown)
-    if own.hausdorff_distance(there) > SAME or own.area > BLOT * own.convex_hull.area:
+    if own.hausdorff_distance(there) > SAME:
+        return False
+    if any(area.area > BLOT * area.convex_hull.area for area in (own, there)):
         return False
     whole, filled = _region(([plate.replaced(plate.rings[:1])], [])), _region((mine[0], []))
     return intersection_over_union(filled, whole) < UNLIKE
