@@ -1,9 +1,11 @@
 """Areas of which nobody could say what of one outline becomes what of the other."""
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapetween.base.arrays import Mask
 from shapetween.base.errors import OutlineError
 from shapetween.match import Matcher
 from shapetween.match.correspondence import Correspondence
@@ -15,7 +17,8 @@ from shapetween.scene.assign import Roles
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item
 from shapetween.scene.motion.turning import total_turning
-from shapetween.scene.relations import Scene, in_common, pictures
+from shapetween.scene.relations import Scene, colours_apart, in_common, pictures
+from shapetween.scene.sets import components
 
 if TYPE_CHECKING:
     import shapely
@@ -47,6 +50,10 @@ HOPELESS = 2.5
 #: Cost of a pair that is certain however doubtful its matching is. Larger, and more matchings are
 #: looked for in vain; smaller, and one of two ears may tear.
 CERTAIN = 0.3
+
+#: Sum of differences of colours up to which touching areas are one body. Larger, and a shade is a
+#: piece of what it lies beside; smaller, and a cloud drawn in two whites is two.
+ONE_PAINT = 0.02
 
 #: Likeness of outlines that are one, drawn anew, however they are matched. Larger, and a folder
 #: leaves for an open one to come.
@@ -85,6 +92,10 @@ def hopeless_pairs(a: Scene, b: Scene, roles: Roles) -> set[int]:
         doubt = _unlike_doubt(a.items[role.first], b.items[role.second])
         if doubt is not None and round(role.cost + doubt, 6) > HOPELESS:
             found.add(k)
+    pieces = _piece_of_alone(a, roles.disappearing), _piece_of_alone(b, roles.appearing)
+    for k, role in enumerate(roles.pairs):
+        if (pieces[0][role.first] or pieces[1][role.second]) and k != main:
+            found |= {k} if role.reason == "matched" else set()
     places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
     for k in tuple(found):
         first, second = roles.pairs[k].first, roles.pairs[k].second
@@ -98,6 +109,21 @@ def hopeless_pairs(a: Scene, b: Scene, roles: Roles) -> set[int]:
         if whole in found:
             found.add(k)
     return found
+
+
+def _piece_of_alone(scene: Scene, lone: Collection[int]) -> Mask:
+    """Which items are pieces of a body, of one paint and touching, whose largest piece is alone.
+
+    Two of a cloud's discs would go elsewhere while the rest of it shrinks.
+    """
+    filled = np.array([item.filled for item in scene.items])
+    one = scene.touching & (colours_apart(scene.colours, scene.colours) < ONE_PAINT)
+    one &= filled[:, None] & filled & (scene.parents[:, None] == scene.parents)
+    labels = components(one | np.eye(len(one), dtype=bool))
+    largest = np.zeros(len(labels))
+    np.maximum.at(largest, labels, scene.sizes)
+    whole = [labels[k] for k in lone if scene.sizes[k] == largest[labels[k]]]
+    return np.isin(labels, whole)
 
 
 def _unlike_doubt(one: Item, other: Item) -> float | None:

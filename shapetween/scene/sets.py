@@ -9,7 +9,7 @@ from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.geometry.assignment import cheapest_pairs
 from shapetween.scene.relations import Scene, colours_apart
 
-__all__ = ["REPEATED", "Ordered", "Sets", "paired_sets", "sets_of"]
+__all__ = ["REPEATED", "Ordered", "Sets", "components", "paired_sets", "sets_of"]
 
 #: How much members may differ: logarithm of sizes and of lengths, and sum of colours.
 SIZES, LENGTHS, COLOURS = 0.15, 0.15, 0.15
@@ -70,11 +70,11 @@ def sets_of(scene: Scene) -> Sets:
     alike &= np.abs(lengths[:, None] - lengths) < LENGTHS
     alike &= colours_apart(scene.colours, scene.colours) < COLOURS
     alike &= (keys[:, None] == keys).all(axis=-1)
-    labels = _components(alike)
+    labels = components(alike)
     return Sets(labels, np.bincount(labels)[labels])
 
 
-def _components(alike: Mask) -> Index:
+def components(alike: Mask) -> Index:
     """Of each item the first one that it is alike with, by others if need be."""
     labels = np.arange(len(alike))
     while True:

@@ -511,6 +511,17 @@ def test_a_small_part_that_nobody_could_say_how_it_becomes_another_is_alone(tmp_
     assert alone(made(tmp_path, first, body + curl.replace("M40 10", "M38 14"))) == 0
 
 
+def test_pieces_of_a_cloud_do_not_go_elsewhere_without_the_rest_of_it(tmp_path: Path) -> None:
+    """Its largest piece is alone, so all are; without it, each goes to its like."""
+    ground = '<circle cx="50" cy="50" r="48" fill="#06c"/>'
+    side = '<circle cx="{}" cy="{}" r="9" fill="#fff"/>'
+    piece = '<path d="M30 50h40v-24h-8v-12h-14l-8 16z" fill="#fff"/>'
+    low = ground + side.format(30, 60) + side.format(70, 60)
+    high = ground + side.format(32, 64) + side.format(68, 64)
+    assert alone(made(tmp_path, low, high)) == 0
+    assert alone(made(tmp_path, low + piece.replace("50h40", "62h40"), high)) == 3
+
+
 def alone(found: Morph) -> int:
     """How many parts of the first drawing have no partner."""
     assert found.prepared.scene is not None

@@ -32,3 +32,11 @@ def test_what_is_not_turned_or_is_stretched_does_not_turn() -> None:
     flat = (50 - ARROW) * [1.0, 0.7]
     assert turned_ring(places(ARROW), places(flat)) is None
     assert turned_ring(places(ARROW), places(ARROW[[0, 1, 2, 4, 6]])) is None
+
+
+@pytest.mark.parametrize(("corner", "turns"), [(16.0, False), (45.0, True)])
+def test_what_lies_on_itself_turned_does_not_turn(corner: float, turns: bool) -> None:
+    """A head that is round above becomes one that is round below; a triangle turns over."""
+    head = np.array([(50 - 46, 90), (50 - 46, 90 - 80 + 2 * corner), (4 + corner, 10)])
+    head = np.concatenate([head, (100, 0) + head[::-1] * [-1, 1]])
+    assert (turned_ring(places(head), places(100 - head)) is not None) == turns

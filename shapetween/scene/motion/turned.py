@@ -2,9 +2,11 @@
 
 import numpy as np
 
+from shapetween.geometry.bezier import flatten
 from shapetween.match.frames import MIN_TURN
 from shapetween.match.matcher import registered
 from shapetween.match.moments import area_moments
+from shapetween.scene.items import intersection_over_union
 from shapetween.scene.motion.tracks import Blend
 from shapetween.scene.places import Places, cut_alike
 
@@ -17,6 +19,15 @@ SQUEEZED = 1.1
 #: How many times more area one ring may enclose for its length, to be looked at. Smaller, and
 #: rounding decides; larger, and time goes by on rings that are nothing alike.
 ROUNDER = 1.1
+
+
+#: Chords of each curve by which that is seen.
+CHORDS = 8
+
+#: Share that both rings' areas have in common, middle on middle, from which on neither turns. At 1
+#: a head that is round above rolls over to be round below; smaller, and a triangle that points
+#: elsewhere is bent to it.
+ALIKE = 0.75
 
 
 def turned_ring(source: Places, target: Places) -> Blend | None:
@@ -40,7 +51,21 @@ def turned_ring(source: Places, target: Places) -> Blend | None:
     stretches = np.linalg.svd(exact.matrix[:, :2], compute_uv=False)
     if stretches[0] > SQUEEZED * stretches[1]:
         return None
+    if _alike(source, target):
+        return None
     # Half a turn either way is one clockwise.
     turn = exact.turn + 2 * np.pi * (exact.turn < 1e-9 - np.pi)
     pieces = cut_alike(source, target, exact.u, exact.v)
     return Blend(pieces, np.stack([sizes[0][1], sizes[1][1]]), float(turn))
+
+
+def _alike(source: Places, target: Places) -> bool:
+    """Whether two rings lie on each other as they are, middle on middle."""
+    import shapely
+    import shapely.affinity
+
+    areas = []
+    for places in (source, target):
+        area = shapely.make_valid(shapely.Polygon(flatten(places.outline.curves, CHORDS)))
+        areas.append(shapely.affinity.translate(area, -area.centroid.x, -area.centroid.y))
+    return intersection_over_union(*areas) > ALIKE
