@@ -145,3 +145,17 @@ def test_lottie_players_run_past_the_end(browser: Browser, lottie_web: Path, eas
     wanted = browser.pictures(frames(easing, shares), [0.0] * 4)
     assert_alike(lottie_pictures(browser, lottie_web, text, numbers), wanted)
     assert_alike(thorvg_pictures(text.encode(), numbers), wanted)
+
+
+def test_what_play_is_told_runs_past_the_end_of_a_leg_too(browser: Browser) -> None:
+    """In a chain it stays in its leg; before, the next one began for a moment."""
+    first = moved()
+    other = Style(Colour(0.0, 0.0, 0.8))
+    part = formula_part(ellipse((50.0, 50.0), (30.0, 30.0)), spin(0.2), other, other)
+    legs = first, Movement((part,), first.box)
+    text = str(WRITERS[".mjs"].write(Segments(legs), WriteOptions(duration=1.0)).content)
+    shares = farthest(EASINGS["back"])[1:3]
+    shots = module_pictures(browser, text, shares, {"easing": EASINGS["back"]})
+    wanted = browser.pictures(frames(EASINGS["back"], shares), [0.0] * 2)
+    for shot, frame in zip(shots, wanted, strict=True):
+        assert difference(shot, frame) <= 10 * STRAY  # straight on past the end

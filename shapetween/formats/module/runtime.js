@@ -76,10 +76,14 @@ const find = t => {
   return [leg, t - leg];
 };
 
+const at = (leg, own, part = 0) => {
+  const here = legs[leg][part];
+  return here ? path(here, own) : "";
+};
+
 // Path data at a time from 0 to 1, of one part of the drawing.
 export default function d(t, part = 0) {
-  const [leg, own] = find(t), here = legs[leg][part];
-  return here ? path(here, own) : "";
+  return at(...find(t), part);
 }
 
 const element = target => target.style ? target : document.querySelector(target);
@@ -179,8 +183,9 @@ const nest = (root, leg) => {
 };
 
 //: always
-// Draw into an <svg>, a <g>, or an element that is given an <svg>; what shows any time.
-export function mount(target) {
+// Draw into an <svg>, a <g>, or an element that is given an <svg>; what shows any time of a leg,
+// also past its ends, where an easing overshoots.
+const stage = target => {
   let root = element(target);
   if (root.namespaceURI.endsWith("xhtml")) root = add(root, "svg");
   if (root.localName == "svg" && !root.hasAttribute("viewBox")) root.setAttribute("viewBox", viewBox);
@@ -195,20 +200,23 @@ export function mount(target) {
     return [group, [...parts.map((part, k) => draw(into(k), part)), move]];
   });
 //: always
-  return t => {
-    const [leg, own] = find(t);
-    groups.map(([group, draws], k) => {
-      group.style.display = k == leg ? "" : "none";
-      k == leg && draws.map(draw => draw(own));
-    });
-  };
+  return (leg, own) => groups.map(([group, draws], k) => {
+    group.style.display = k == leg ? "" : "none";
+    k == leg && draws.map(draw => draw(own));
+  });
+};
+
+// The same for any time of the whole.
+export function mount(target) {
+  const show = stage(target);
+  return t => { show(...find(t)); };
 }
 
 // Play in an element; a native Animation.
 export function play(target, options = {}) {
   const { duration, easing, loop, hold, part, timeline, ...others } = { ...timing, ...options };
   const root = element(target), count = legs.length, swing = loop == "alternate", step = duration + hold;
-  const show = root.localName == "path" ? t => root.setAttribute("d", d(t, part)) : mount(root);
+  const show = root.localName == "path" ? (leg, own) => root.setAttribute("d", at(leg, own, part)) : stage(root);
   // What is taken out of the page is drawn no more.
   const drawn = root.lastElementChild ?? root;
   // Rests before, between and after the movements; there and back, half of each turn is before.
@@ -235,7 +243,7 @@ export function play(target, options = {}) {
       while (leg < count - 1 && own >= duration * ways[leg] + hold) own -= duration * ways[leg++] + hold;
       ease.currentTime = clamp(own / (duration * ways[leg]), 1);
 //: always
-      show((leg + eased.getComputedTiming().progress) / count);
+      show(leg, eased.getComputedTiming().progress);
     }
     last = now;
     seen ||= drawn.isConnected;
