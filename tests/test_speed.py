@@ -1,4 +1,7 @@
-"""Nothing jumps: no control point runs faster than a bound over any ten thousandth of the time."""
+"""Nothing jumps: no control point runs faster than a bound over any ten thousandth of the time.
+
+But what turns over as a card does: it is seen on its edge, never gone, and so leaps across that.
+"""
 
 import json
 from pathlib import Path
