@@ -11,7 +11,7 @@ from shapetween import report
 from shapetween.api import Morph, morph
 from shapetween.base.errors import ShapetweenError
 from shapetween.base.observe import Observer, unobserved
-from shapetween.compare.figures import COLUMNS, TIMES, Figures, measure
+from shapetween.compare.measures import COLUMNS, TIMES, Figures, measure
 from shapetween.compare.variants import Variant, bare_variants, first_variant
 from shapetween.model.drawing import Drawing
 from shapetween.outline.body import joined_meshes
@@ -129,8 +129,8 @@ def compare(
 
 
 def _mesh_figures(variant: Variant) -> list[dict[str, Any]]:
-    """All measures (`shapetween.compare.measures`) on each body's mesh, moved alone."""
-    from shapetween.compare.measures import measure as measure_mesh
+    """All measures (`shapetween.compare.formulas`) on each body's mesh, moved alone."""
+    from shapetween.compare.formulas import measure_mesh
 
     return [
         measure_mesh(joined_meshes(body.nodes.rings), variant.method).figures.as_dict()

@@ -10,7 +10,7 @@ from importlib.resources import files
 import numpy as np
 
 from shapetween.api import Morph
-from shapetween.compare.figures import COLUMNS, TIMES, Column, Figures
+from shapetween.compare.measures import COLUMNS, TIMES, Column, Figures
 from shapetween.compare.panels import film_strip, playing, seen_box
 from shapetween.compare.plots import Series, line_plot, stripes
 from shapetween.compare.variants import Variant

@@ -7,7 +7,7 @@ from textwrap import wrap
 import numpy as np
 
 from shapetween.base.arrays import Floats, Points
-from shapetween.compare.figures import TIMES
+from shapetween.compare.measures import TIMES
 from shapetween.compare.variants import Variant
 from shapetween.model.drawing import Box
 from shapetween.svg.write.animate import animate

@@ -10,7 +10,7 @@ from html import escape
 import numpy as np
 
 from shapetween.base.arrays import Floats, Mask
-from shapetween.compare.figures import TIMES
+from shapetween.compare.measures import TIMES
 
 __all__ = ["Series", "line_plot", "stripes"]
 

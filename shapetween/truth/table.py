@@ -9,7 +9,7 @@ import numpy as np
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import OptionError, ShapeError
 from shapetween.base.observe import Observer, unobserved
-from shapetween.compare.measures.epipolar import epipolar_distance
+from shapetween.compare.formulas.epipolar import epipolar_distance
 from shapetween.geometry.polygon import cross, rms_radius
 from shapetween.geometry.rotation import rotations
 from shapetween.interpolate import INTERIORS, METHODS, tween

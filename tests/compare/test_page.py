@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from shapetween.compare import Comparison
-from shapetween.compare.figures import TIMES
+from shapetween.compare.measures import TIMES
 from tests.browser import Browser, chromium
 from tests.smil import SVG
 

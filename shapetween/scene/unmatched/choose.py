@@ -28,7 +28,7 @@ from shapetween.scene.unmatched.clusters import (
 from shapetween.scene.unmatched.encircling import encircling_going
 from shapetween.scene.unmatched.gaps import timed_gaps
 from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside, within_reach
-from shapetween.scene.unmatched.openings import gone_with_hole
+from shapetween.scene.unmatched.inside_holes import gone_with_hole
 from shapetween.scene.unmatched.presence import Leaving
 from shapetween.scene.unmatched.retracting import first_end, gap_going, retracted_lines
 

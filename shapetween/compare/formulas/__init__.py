@@ -1,6 +1,6 @@
 """Measures of a movement, with exact definitions: distortion, paths, validity, possible views."""
 
-from shapetween.compare.measures.distortion import (
+from shapetween.compare.formulas.distortion import (
     arap_energy,
     conformal_distortion,
     excess_conformal,
@@ -8,12 +8,12 @@ from shapetween.compare.measures.distortion import (
     signed_stretches,
     symmetric_dirichlet,
 )
-from shapetween.compare.measures.epipolar import (
+from shapetween.compare.formulas.epipolar import (
     epipolar_distance,
     fundamental_matrix,
     transfer_error,
 )
-from shapetween.compare.measures.paths import (
+from shapetween.compare.formulas.paths import (
     detour,
     overshoot,
     reversibility,
@@ -21,11 +21,11 @@ from shapetween.compare.measures.paths import (
     straightness,
     travel,
 )
-from shapetween.compare.measures.summary import Figures, Measured, boundary_edges, measure
+from shapetween.compare.formulas.summary import Measured, MeshFigures, boundary_edges, measure_mesh
 
 __all__ = [
-    "Figures",
     "Measured",
+    "MeshFigures",
     "arap_energy",
     "boundary_edges",
     "conformal_distortion",
@@ -34,7 +34,7 @@ __all__ = [
     "excess_conformal",
     "fundamental_matrix",
     "isometric_distortion",
-    "measure",
+    "measure_mesh",
     "overshoot",
     "reversibility",
     "roughness",

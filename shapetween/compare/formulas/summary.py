@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask, Points
-from shapetween.compare.measures import distortion, paths
+from shapetween.compare.formulas import distortion, paths
 from shapetween.geometry.polygon import corner_sines, polygon_area, rms_radius
 from shapetween.interpolate import INTERIORS, tween
 from shapetween.interpolate.faces import mesh_edges
@@ -13,14 +13,14 @@ from shapetween.interpolate.inside import Inside
 from shapetween.interpolate.projective import AlignedFaces
 from shapetween.mesh.pair import MeshPair
 
-__all__ = ["Figures", "Measured", "boundary_edges", "measure"]
+__all__ = ["Measured", "MeshFigures", "boundary_edges", "measure_mesh"]
 
 #: Even times at which a movement is looked at, and places along a quad's side.
 FRAMES, SAMPLES = 41, 4
 
 
 @dataclass(frozen=True, slots=True)
-class Figures:
+class MeshFigures:
     """Measures of a movement, one number each; smaller is better but for the least ones.
 
     Attributes
@@ -88,7 +88,7 @@ class Measured:
 
     Attributes
     ----------
-    figures : Figures
+    figures : MeshFigures
     times : (F,) float64
     conformal, isometric, symmetric_dirichlet, rigidity : (F,) float64
     areas, perimeters : (F,) float64
@@ -96,7 +96,7 @@ class Measured:
     folded : (F,) bool
     """
 
-    figures: Figures
+    figures: MeshFigures
     times: Floats
     conformal: Floats
     isometric: Floats
@@ -113,7 +113,7 @@ def boundary_edges(pair: MeshPair) -> Index:
     return np.asarray(edges[count == 1])
 
 
-def measure(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
+def measure_mesh(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
     """Move a mesh pair by a method and measure how.
 
     Parameters
@@ -151,7 +151,7 @@ def measure(pair: MeshPair, method: str, frames: int = FRAMES) -> Measured:
     radius = float(rms_radius(ends).mean())
     diameter = float(np.linalg.norm(np.ptp(ends, axis=1), axis=1).max())
     back = tween(pair.reversed(), method).vertices(1 - t)
-    figures = Figures(
+    figures = MeshFigures(
         conformal=float(conformal.mean()),
         conformal_excess=float(distortion.excess_conformal(jacobians, jacobians[-1]).max()),
         isometric=float(isometric.mean()),

@@ -7,7 +7,7 @@ import pytest
 
 from shapetween.base.arrays import Curves, Floats, Mask, Points
 from shapetween.compare import Comparison, compare
-from shapetween.compare.figures import TIMES
+from shapetween.compare.measures import TIMES
 from shapetween.geometry.bezier import line_curves
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline

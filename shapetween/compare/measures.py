@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from shapetween.base.arrays import Floats, Mask
-from shapetween.compare.measures import conformal_distortion, straightness
+from shapetween.compare.formulas import conformal_distortion, straightness
 from shapetween.compare.skeleton import Skeleton
 from shapetween.compare.variants import Variant
 from shapetween.geometry.bezier import flatten

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from shapetween.base.arrays import Floats, Points
 from shapetween.base.errors import MeshError, OptionError, ShapeError
-from shapetween.compare.measures import (
+from shapetween.compare.formulas import (
     arap_energy,
     boundary_edges,
     conformal_distortion,
@@ -17,7 +17,7 @@ from shapetween.compare.measures import (
     excess_conformal,
     fundamental_matrix,
     isometric_distortion,
-    measure,
+    measure_mesh,
     overshoot,
     reversibility,
     roughness,
@@ -142,7 +142,7 @@ def bent() -> MeshPair:
 @pytest.mark.parametrize("method", METHODS)
 def test_identity_measures_nothing(method: str) -> None:
     vertices, quads = grid(3, 2)
-    figures = measure(MeshPair(vertices, vertices, quads), method, 5).figures
+    figures = measure_mesh(MeshPair(vertices, vertices, quads), method, 5).figures
     assert figures.conformal == pytest.approx(1)
     assert figures.isometric == pytest.approx(1)
     assert figures.symmetric_dirichlet == pytest.approx(1)
@@ -156,16 +156,16 @@ def test_identity_measures_nothing(method: str) -> None:
 @pytest.mark.parametrize("size", [1e-3, 1e5])
 def test_figures_have_no_unit(size: float) -> None:
     pair = bent()
-    base = measure(pair, "projective", 9).figures.as_dict()
+    base = measure_mesh(pair, "projective", 9).figures.as_dict()
     larger = MeshPair(size * pair.source, size * pair.target, pair.quads)
-    for name, value in measure(larger, "projective", 9).figures.as_dict().items():
+    for name, value in measure_mesh(larger, "projective", 9).figures.as_dict().items():
         assert value == pytest.approx(base[name], abs=1e-8), name
 
 
 def test_turning_rigidly_is_seen_and_shrinking_too() -> None:
     vertices, quads = grid(3, 2)
     turned = MeshPair(vertices, vertices @ rotation(2.0).T, quads)
-    rigid, straight = measure(turned, "projective"), measure(turned, "linear")
+    rigid, straight = measure_mesh(turned, "projective"), measure_mesh(turned, "linear")
     np.testing.assert_allclose(rigid.areas, 6.0)
     np.testing.assert_allclose(rigid.perimeters, 10.0)
     assert rigid.figures.rigidity < 1e-12
@@ -180,7 +180,7 @@ def test_turning_rigidly_is_seen_and_shrinking_too() -> None:
 def test_rigidity_is_seen_from_the_nearer_key(method: str) -> None:
     """Twice as large at the end: (1 + t) from the source, (1 + t) / 2 from the target."""
     vertices, quads = grid(3, 2)
-    found = measure(MeshPair(vertices, 2 * vertices, quads), method, 11)
+    found = measure_mesh(MeshPair(vertices, 2 * vertices, quads), method, 11)
     t = found.times
     wanted = np.minimum(2 * t**2, 2 * (1 - (1 + t) / 2) ** 2)
     np.testing.assert_allclose(found.rigidity, wanted, atol=1e-12)
@@ -188,7 +188,7 @@ def test_rigidity_is_seen_from_the_nearer_key(method: str) -> None:
 
 def test_folded_frames_are_counted() -> None:
     vertices, quads = grid(3, 2)
-    over = measure(MeshPair(vertices, vertices @ rotation(np.pi).T, quads), "linear", 41)
+    over = measure_mesh(MeshPair(vertices, vertices @ rotation(np.pi).T, quads), "linear", 41)
     # Straight lines go through one point half way, and only there.
     assert over.folded.tolist() == [k == 20 for k in range(41)]
     assert over.figures.as_dict()["conformal"] is None
@@ -197,10 +197,10 @@ def test_folded_frames_are_counted() -> None:
 
 def test_wrong_input_is_refused() -> None:
     with pytest.raises(OptionError):
-        measure(bent(), "none")
+        measure_mesh(bent(), "none")
     pair = bent()
     with pytest.raises(MeshError):
-        measure(MeshPair(pair.source, pair.source * [-1, 1], pair.quads), "arap")
+        measure_mesh(MeshPair(pair.source, pair.source * [-1, 1], pair.quads), "arap")
 
 
 def test_arap_energy_is_what_libigl_makes_least() -> None:
