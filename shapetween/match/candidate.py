@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,6 +16,7 @@ __all__ = [
     "DISTINCT",
     "PLACES",
     "Candidate",
+    "Halves",
     "agrees",
     "apart",
     "around",
@@ -33,6 +35,11 @@ DISTINCT = 0.03
 PLACES = 512
 
 
+Halves: TypeAlias = tuple[Floats | None, Floats | None]
+"""Of each outline that is even but for something on one side: which places of both sides belong
+together, (2, K) shares of their lengths, neither ever falling; of one that is even None."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Candidate:
     """A matching found in one frame.
@@ -46,6 +53,8 @@ class Candidate:
         The frame: the angle the first outline was turned by.
     ends : (2 g, 2) float64 or None
         Rows a, b of the ends of the axes of symmetry that it keeps, where it keeps any.
+    halves : Halves
+        How both sides belong together of an outline that is nearly even about its axis.
     """
 
     a: Floats
@@ -53,6 +62,7 @@ class Candidate:
     cost: float
     turn: float
     ends: Floats | None = None
+    halves: Halves = (None, None)
 
 
 def distinct(

@@ -43,6 +43,9 @@ class Correspondence:
         Other matchings worth a try, best first.
     doubt : float
         What `confidence` is the word for: 0 for an exact affine map, 2 for a guess.
+    lopsided : bool
+        Whether it lays the axis of an even outline onto the line about which the other one is
+        nearly even.
     """
 
     u: Floats
@@ -54,6 +57,7 @@ class Correspondence:
     affine: Affine | None = None
     others: tuple[Correspondence, ...] = field(default=())
     doubt: float = 0.0
+    lopsided: bool = False
 
     def __post_init__(self) -> None:
         """Copy, check and lock the knots."""
@@ -85,4 +89,5 @@ class Correspondence:
             affine=affine,
             others=tuple(other.inverse() for other in self.others),
             doubt=self.doubt,
+            lopsided=self.lopsided,
         )

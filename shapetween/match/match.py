@@ -25,7 +25,7 @@ from shapetween.match.costs import (
     upright_features,
 )
 from shapetween.match.dynamic import Paths, cyclic_paths, cyclic_prices, rolled_paths
-from shapetween.match.even import even_matchings, refined_even
+from shapetween.match.even import even_matchings, lopsided_matchings, refined_even
 from shapetween.match.frames import Frame, handicap, standing, worth_trying
 from shapetween.match.layout import Layout, layout_of
 from shapetween.match.pins import pull_of
@@ -42,6 +42,10 @@ SYMMETRY_RATIO = 1.25
 #: The same where one of them is so but for a tuft. Nearer to 1, and a hammer's claw and face grow
 #: alike into a pick; less leaves a lamp to burn askew.
 NEARLY_RATIO = 0.9
+
+#: The same where one of them is so but for something large on one side. Nearer to 1, and a cut in
+#: one side bends all of a chess piece on its way; more, and limbs are laid onto what is no limb.
+LOPSIDED_RATIO = 1.1
 
 #: Matchings kept of each frame.
 PER_FRAME = 3
@@ -224,6 +228,10 @@ class _Comparison:
         meant = a.axes.even and b.axes.even
         ratio = SYMMETRY_RATIO if meant else NEARLY_RATIO
         entries += [_Ranked((c.cost + unrewarded) / ratio, c, rewards) for c in even]
+        # What is round is nearly even about any line, and would roll in a turned frame.
+        tried = not angle and not even and not len(self.pins)
+        lopsided = lopsided_matchings(a, b, rewards) if tried else []
+        entries += [_Ranked((c.cost + unrewarded) / LOPSIDED_RATIO, c, rewards) for c in lopsided]
         best = min(entries, key=lambda entry: entry.cost)
         frame = Frame(angle, self._mean(unlike, best.candidate))
         return _Found(frame, entries, best, bool(even) and meant)
@@ -318,7 +326,8 @@ class _Comparison:
         """The candidate in the outlines' own fractions."""
         u, v = self.a.samples.start + found.a, self.b.samples.start + found.b
         u[-1], v[-1] = u[0] + 1, v[0] + 1
-        return Correspondence(u, v, cost, np.inf, "unsure", found.turn)
+        lopsided = any(half is not None for half in found.halves)
+        return Correspondence(u, v, cost, np.inf, "unsure", found.turn, lopsided=lopsided)
 
     def _refined(self, candidate: Candidate, rewards: Floats) -> Candidate:
         """The matching found again with more samples, near where it was.

@@ -7,7 +7,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Points
 
-__all__ = ["Axes", "aligned_ends", "mirror_axes", "turns_onto"]
+__all__ = ["MOST_AXES", "Axes", "aligned_ends", "mirror_axes", "turns_onto"]
 
 #: Deviation from its mirror image, a mean of squares, as a share of that about any line, up to
 #: which an outline is symmetric, or meant to be but for a fold or a lock of hair. Larger takes a

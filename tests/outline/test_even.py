@@ -80,3 +80,38 @@ def test_what_is_uneven_at_an_end_fades(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(even, "FADING", 1)
     other = evened(moved()).curves(np.array([0.5]))
     assert np.abs(usual - other).max() > 3e-3
+
+
+#: From the lamp's shade on, its right half with a chain on it.
+SHADE = np.array([[0.6, -2.0], [1.4, 0.4]])
+CHAIN = np.array([[1.1, 0.4], [1.1, 1.5], [0.9, 1.5], [0.9, 0.4]])
+STAND = np.array([[0.25, 0.4], [0.25, 1.7], [0.8, 1.7], [0.8, 2.0]])
+GLASS = np.array([[1.2, -2.0], [0.9, 0.2], [0.2, 0.8], [0.2, 1.8], [0.9, 1.8], [0.9, 2.0]])
+
+
+@cache
+def hung() -> Carried:
+    """A lamp with a chain under one side of its shade becomes a glass."""
+    left = np.concatenate([SHADE, STAND])[::-1] * [-1, 1]
+    lamp = polygon(np.concatenate([SHADE, CHAIN, STAND, left]))
+    ring = match_outer(
+        lamp, polygon(whole(GLASS)), quads=None, pins=np.zeros((0, 4)), mesh=None,
+        upright=False, observe=unobserved,
+    )  # fmt: skip
+    return unfolded([ring], "projective")
+
+
+def test_what_is_nearly_even_stays_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    def lean(body: Carried) -> float:
+        """How far the shade's corners are from being level half-way."""
+        ends = body.nodes.ends[0]
+        at = [np.linalg.norm(ends - [side * 1.4, 0.4], axis=1).argmin() for side in (1, -1)]
+        right, left = body.path.vertices(np.array([0.5]))[0, at]
+        return float(abs(right[1] - left[1]))
+
+    found = evened(hung())
+    assert lean(hung()) > 2 * lean(found)
+    assert lean(found) < 0.05
+    assert not found.crossing
+    monkeypatch.setattr(even, "nearly_even_about", lambda *_: None)
+    assert evened(hung()) is hung()

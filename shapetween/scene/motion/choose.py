@@ -254,7 +254,7 @@ def _as_matched(
     upright: bool = False,
     anywhere: bool = False,
 ) -> bool:
-    """Whether the outlines' own matching does not turn them, and goes where their corners do.
+    """Whether the outlines' own matching neither turns nor evens them, and goes as corners do.
 
     Parameters
     ----------
@@ -268,9 +268,9 @@ def _as_matched(
     found = own_matching(first.outer.clockwise(), second.outer.clockwise())
     if found is None:
         return True
-    if upright:
-        found = upright_of(found)
-    return abs(found.turn) < MIN_TURN and (anywhere or agrees(corners.u, corners.v, found))
+    found = upright_of(found) if upright else found
+    as_drawn = abs(found.turn) < MIN_TURN and not found.lopsided
+    return as_drawn and (anywhere or agrees(corners.u, corners.v, found))
 
 
 def _blobs(first: Item, second: Item) -> bool:
