@@ -22,6 +22,11 @@ __all__ = ["lopsided_ends", "nearly_even_about"]
 #: or an umbrella's handle to draw all of it aslant.
 COMMON = 0.86
 
+#: Angle, radians, of the line about which it must not be so as well: what is even about any line is
+#: round or a wheel, and has teeth on both sides. Nearer to the axis, and nothing is even about one
+#: line alone; an eighth of a turn on, and a square is even about both.
+ANOTHER_WAY = np.pi / 8
+
 #: Lines across the axis on which areas are compared, and steps of the longer side along them.
 #: Fewer miss thin things; more cost time.
 LINES, STEPS = 96, 192
@@ -85,7 +90,23 @@ def nearly_even_about(prepared: Prepared, way: float) -> float | None:
     Returns
     -------
     float or None
-        In roots of the area; None if there is no such line.
+        In roots of the area; None if there is no such line, or if there is one in any direction.
+    """
+    aside, common = _halved(prepared, way)
+    if common < COMMON or _halved(prepared, way + ANOTHER_WAY)[1] >= COMMON:
+        return None
+    return aside
+
+
+def _halved(prepared: Prepared, way: float) -> tuple[float, float]:
+    """How far aside the line in a direction lies that halves most of an outline's area.
+
+    Returns
+    -------
+    aside : float
+        In roots of the area.
+    common : float
+        Share of the area that lies where the mirror image about that line lies.
     """
     z = prepared.samples.points @ [1, 1j] * np.exp(-1j * way)
     z = (np.round(z.real / GRAIN) + 1j * np.round(z.imag / GRAIN)) * GRAIN
@@ -107,8 +128,7 @@ def nearly_even_about(prepared: Prepared, way: float) -> float | None:
     inside = np.zeros((LINES, STEPS), dtype=np.intp)
     np.add.at(inside, (row, step.astype(np.intp)), 1)
     inside = np.cumsum(inside, axis=1) % 2
-    common = (inside * inside[:, ::-1]).sum()
-    return aside if common >= COMMON * inside.sum() else None
+    return aside, float((inside * inside[:, ::-1]).sum() / inside.sum())
 
 
 def _meets(prepared: Prepared, way: float, aside: float) -> tuple[float, float]:

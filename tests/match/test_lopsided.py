@@ -74,7 +74,7 @@ def test_how_much_both_sides_have_in_common_decides(
 def test_what_faces_aside_is_not_even(monkeypatch: pytest.MonkeyPatch) -> None:
     flag = prepare(polygon(np.array([[0, 0], [3, 0], [3, 1.5], [0.4, 1.5], [0.4, 4], [0, 4.0]])))
     assert nearly_even_about(flag, np.pi / 2) is None
-    monkeypatch.setattr(lopsided, "COMMON", 0.2)
+    monkeypatch.setattr(lopsided, "COMMON", 0.7)
     assert nearly_even_about(flag, np.pi / 2) is not None
 
 
@@ -136,3 +136,18 @@ def test_sides_are_compared_closely_enough(monkeypatch: pytest.MonkeyPatch) -> N
     assert usual < 0.05
     monkeypatch.setattr(lopsided, "HALF_STEPS", 10)
     assert gap() > 2 * usual
+
+
+def test_what_is_even_about_any_line_is_not_lopsided(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A saw blade is, whose teeth lean; a square with a corner cut off is not."""
+    angle = 2 * np.pi * np.arange(24) / 24 + np.tile([0.0, 0.2], 12)
+    radius = np.tile([1.0, 0.85], 12)
+    blade = np.stack([np.cos(angle), np.sin(angle)], axis=1) * radius[:, None]
+    cut = np.array([[-1.0, -1], [0.6, -1], [1, -0.6], [1, 1], [-1, 1]])
+    wheel, square = prepare(polygon(blade)), prepare(polygon(cut))
+    assert nearly_even_about(wheel, np.pi / 2) is None
+    assert nearly_even_about(square, np.pi / 2) is not None
+    monkeypatch.setattr(lopsided, "ANOTHER_WAY", 0.01)
+    assert nearly_even_about(square, np.pi / 2) is None
+    monkeypatch.setattr(lopsided, "ANOTHER_WAY", np.pi / 4)
+    assert nearly_even_about(square, np.pi / 2) is None
