@@ -58,8 +58,9 @@ STANDING = 1.05
 ONTO = 0.26
 
 #: Angle between their long axes, times how slender they are, from which on they do not stand alike,
-#: whatever axes they have: one is upright and the other lies. More leaves a battery upright that
-#: becomes one that lies; less tells a tall box from a wide one.
+#: whatever axes they have, if they have one in common when turned, too: one is upright and the
+#: other lies. More leaves a battery upright that becomes one that lies; less tells a tall box from
+#: a wide one.
 ASKEW = 1.2
 
 
@@ -150,7 +151,7 @@ def handicap(
     weight = TURNED + ALIKE * alike - ALONG * slender * nearer
     weight += ROLLING * rolling
     upright_weight = OVER * over
-    if even[0] and slender * apart < ASKEW:
+    if even[0] and (slender * apart < ASKEW or not even[1]):
         upright_weight = STANDING - weight
     elif even[1] and not even[0]:
         weight -= ONTO

@@ -199,3 +199,14 @@ def test_a_pin_outweighs_symmetry() -> None:
     a, b = polygon(vase(5)), polygon(vase(6))
     apart = np.array([[*a.curves[2, 0], *b.curves[4, 0]]])
     assert unevenness(correspond(a, b, apart), a, b) > 0.02
+
+
+def test_what_stands_wide_is_not_laid_on_its_side_to_become_what_stands_tall() -> None:
+    bridge = np.array([[2.6, -1.0], [2.6, 0.4], [3.3, 0.4], [3.3, 0.8], [2.6, 0.8], [2.6, 1.3]])
+    deck = np.array([[2.0, 1.3], [2.0, 0.8]])
+    arch = np.array([[0.4, -0.1], [1.4, -0.3], [2.0, -1.0]])
+    medal = np.array([[0.25, -2.4], [1.6, -2.8], [0.8, -1.0], [1.3, 0.0], [1.3, 1.0], [0.6, 1.8]])
+    wide = polygon(mirrored(np.concatenate([arch, bridge, deck])))
+    tall = polygon(mirrored(medal))
+    for pair in ((wide, tall), (tall, wide)):
+        assert correspond(*pair).turn == 0
