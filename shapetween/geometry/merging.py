@@ -48,6 +48,10 @@ FIRST_LOOK = 5
 #: with fewer most of the time goes to calls.
 AT_ONCE = 4_000
 
+#: Coordinates that are looked at together, over some of the times. More no longer fit in a
+#: processor's cache; with fewer most of the time goes to calls.
+FITS = 20_000
+
 
 def merged_curves(
     curves: Curves, rings: tuple[int, ...], between: float, ends: float
@@ -107,8 +111,9 @@ def merged_curves(
             possible = (np.append(possible, False)[kept][:-1] | again) & together
             tried = np.flatnonzero(again)
     merged = np.zeros((len(curves), len(left), 4, 2))
-    for own, at_once in zip(merged, np.moveaxis(held, 2, 0), strict=True):
-        own[:] = np.moveaxis(at_once[..., left], 2, 0)  # all times at once are another copy
+    step = max(1, FITS // max(8 * len(left), 1))  # all times at once are another copy
+    for k in range(0, len(curves), step):
+        merged[k : k + step] = held[:, :, k : k + step][..., left].transpose(2, 3, 0, 1)
     counts = np.bincount(ring[left], minlength=len(rings)).tolist()
     return merged, tuple(counts)
 
@@ -120,14 +125,17 @@ def _alike(curves: Curves, reach: float) -> Floats | None:
     """
     if len(curves) <= FEW or not curves.size:
         return None
-    local = (curves - curves[:, :1, :1]).reshape(len(curves), -1)
+    local = curves.reshape(len(curves), -1).copy()
+    for axis in (0, 1):  # arithmetic on pairs takes three times as long
+        local[:, axis::2] -= curves[:, :1, 0, axis]
     most = local[int(comparable(np.einsum("ij,ij->i", local, local)).argmax())].copy()
     square = float(most @ most)
     if not square > 0:
         return None
     sizes = local @ most / square
-    for own, size in zip(local, sizes, strict=True):  # all times at once are another copy
-        own -= size * most
+    step = max(1, FITS // len(most))  # all times at once are another copy
+    for k in range(0, len(local), step):
+        local[k : k + step] -= sizes[k : k + step, None] * most
     return sizes if max(local.max(), -local.min()) <= reach else None
 
 
@@ -142,7 +150,8 @@ def _merged_alike(
     start = curves[:, 0, 0]
     form = (few[k] - start[looked[k]]) / sizes[looked[k]]
     merged = sizes[:, None, None, None] * form
-    merged += start[:, None, None]
+    for axis in (0, 1):
+        merged[..., axis] += start[:, axis, None, None]
     merged[looked] = few
     return merged, counts
 
@@ -165,9 +174,11 @@ def _near(
     for look in looks:
         here = pairs[0][found], pairs[1][found]
         found = found[_all_near(held, off, here, allowed, look)]
+    if not len(found):
+        return found, np.empty((4, 2, len(off), 0)), np.empty((len(off), 0))
     step = max(1, AT_ONCE // len(off))
     kept: list[tuple[Index, Floats, Floats]] = []
-    for k in range(0, max(len(found), 1), step):
+    for k in range(0, len(found), step):
         own = found[k : k + step]
         whole, total = _together(held, off, (pairs[0][own], pairs[1][own]))
         near = (total <= allowed[:, None]).all(axis=0)

@@ -150,8 +150,7 @@ def sum_of_easings(
     if not np.abs(moved).max(initial=0.0):
         return None
     whole = (np.rint(points[-1] / step) - np.rint(points[0] / step)).astype(np.int64).reshape(-1)
-    quick = _slack(points, clock, tolerance) if late else np.ones(points.shape[:2])
-    counts = importance * quick
+    counts = importance * _slack(points, clock, tolerance) if late else importance[None]
     task = _Task(points[0].reshape(-1), moved, whole, clock, step, tolerance, counts)
     best: EasingSum | None = None
 
@@ -183,7 +182,8 @@ def united(sums: Sequence[tuple[Index, EasingSum]], count: int) -> EasingSum:
 class _Task:
     """Places (2 K) and displacements (S, 2 K) at samples of a clock, the last of them in steps.
 
-    What the distance of a point from its place counts is told for each sample, (S, K).
+    What the distance of a point from its place counts is told for each sample, (S, K), or once for
+    all, (1, K).
     """
 
     start: Floats
@@ -244,7 +244,7 @@ class _Task:
                 moved=moved,
                 whole=whole,
                 clock=(self.clock[rows] - start) / (end - start),
-                counts=self.counts[rows],
+                counts=self.counts[rows] if len(self.counts) > 1 else self.counts,
             )
             if len(easings) == most:
                 return None
@@ -276,7 +276,9 @@ class _Task:
 
 def _slack(points: Floats, clock: Floats, tolerance: float) -> Floats:
     """What distances of points (S, K, 2) count, (S, K): less where they are fast, being late."""
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=-1) / np.diff(clock)[:, None]
+    ways = np.diff(points, axis=0)
+    x, y = ways[..., 0], ways[..., 1]  # sums along short axes are slow
+    steps = np.sqrt(x * x + y * y) / np.diff(clock)[:, None]
     before, after = (np.concatenate(side) for side in ((steps[:1], steps), (steps, steps[-1:])))
     speed = np.minimum(before, after)
     return np.asarray(1 / (1 + LATE * np.maximum(speed / tolerance - FAST, 0.0)))
@@ -285,11 +287,15 @@ def _slack(points: Floats, clock: Floats, tolerance: float) -> Floats:
 def _longest(values: Floats, counts: Floats) -> Floats:
     """Greatest lengths in each column of vectors whose coordinates follow each other.
 
-    (S, 2 K) to (K,), each length of (S, K) counted as it is said.
+    (S, 2 K) to (K,), each length of (S, K) counted as it is said, or each column of (1, K).
     """
     squares = values * values
-    lengths = np.sqrt(squares[:, ::2] + squares[:, 1::2])
-    return np.asarray((lengths * counts).max(axis=0))
+    lengths = squares[:, ::2] + squares[:, 1::2]
+    if len(counts) == 1:
+        return np.asarray(np.sqrt(lengths.max(axis=0)) * counts[0])
+    np.sqrt(lengths, out=lengths)
+    lengths *= counts
+    return np.asarray(lengths.max(axis=0))
 
 
 def _coarsely_rounded(

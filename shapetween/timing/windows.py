@@ -49,6 +49,10 @@ HALVINGS, EXACTLY = 24, 54
 #: all are looked at there. Fewer, and a thousand of them take half as long again; more is memory.
 KNOWN = 256
 
+#: Libraries at some times that are remembered, a megabyte each: the parts of a map that go together
+#: all choose from the same. Fewer, and they are put together for each; more is memory.
+RECENT = 6
+
 #: Cells of the table from which Newton's method starts, its steps, and the halvings that they stand
 #: in for. With fewer cells or steps, or more halvings, more is left to all of them.
 CELLS, NEWTON, SKIPPED = 1024, 3, 44
@@ -194,15 +198,24 @@ def library(
 ) -> tuple[tuple[Eased, ...], Floats]:
     """Easings over all windows between some times, and what they are at others (S,), (S, L).
 
-    Of the `own` ones only straight ones and `OWN`.
+    Of the `own` ones only straight ones and `OWN`. Read only.
     """
+    return _library(clock.tobytes(), turns, own)
+
+
+@lru_cache(maxsize=RECENT)
+def _library(
+    clock: bytes, turns: tuple[float, ...], own: bool
+) -> tuple[tuple[Eased, ...], Floats]:
     ends = sorted((0.0, *turns, 1.0))
     windows = [(a, b) for a, b in product(ends, ends) if a < b]
     windows.sort(key=lambda window: window[0] - window[1])
     often: set[float] = set() if own else {0.0, *turns[:OFTEN], 1.0}
-    tables = [_table(clock.tobytes(), window, often.issuperset(window)) for window in windows]
+    tables = [_table(clock, window, often.issuperset(window)) for window in windows]
     choices = tuple(choice for table in tables for choice in table[0])
-    return choices, np.concatenate([table[1] for table in tables], axis=1)
+    shares = np.concatenate([table[1] for table in tables], axis=1)
+    shares.setflags(write=False)
+    return choices, shares
 
 
 def turning_times(
@@ -294,7 +307,8 @@ def _closer(
     places = look(looked.ravel()).reshape(*looked.shape, -1, 2)
     found: list[float] = []
     for own, there, sharp in zip(looked, places, sharpness, strict=True):
-        own, first = np.unique(own, return_index=True)
+        first = np.flatnonzero(np.append(True, own[1:] > own[:-1]))
+        own = own[first]
         if len(own) <= NEARER:
             continue
         leaps, bends = (seen * step * width for seen in _leaps(own, there[first]))
@@ -320,8 +334,8 @@ def _exactly(times: Floats, width: float, look: Callable[[Floats], Floats]) -> l
         times[left] = np.clip(times[left], widths[left], 1 - widths[left])
         looked = times[left, None] + widths[left, None] * around
         places = look(looked.ravel()).reshape(len(left), CLOSER, -1, 2)
-        for k, own, there in zip(left.tolist(), looked, places, strict=True):
-            leaps, _ = _leaps(own, there)
+        every, _ = _leaps(looked, places)
+        for k, own, leaps in zip(left.tolist(), looked, every, strict=True):
             if leaps.max() < BLUNT * sharpest[k]:
                 widths[k] = 0.0
                 continue
@@ -338,23 +352,25 @@ def _exactly(times: Floats, width: float, look: Callable[[Floats], Floats]) -> l
 
 
 def _leaps(times: Floats, places: Floats) -> tuple[Floats, Floats]:
-    """How far the acceleration leaps at all times but two at either end, (S, K, 2) to (S - 4,).
+    """How far the acceleration leaps at all times but two at either end.
 
-    What is before a sample and after it, where the acceleration leaps; and where the speed does,
+    Of times (..., S) and places (..., S, K, 2) then, (..., S - 4). What is before a sample and after it, where the acceleration leaps; and where the speed does,
     what it is there beside both. And what the acceleration is.
     """
-    speeds = np.diff(places, axis=0) / np.diff(times)[:, None, None]
-    middles = (times[1:] + times[:-1]) / 2
-    accelerations = np.diff(speeds, axis=0) / np.diff(middles)[:, None, None]
-    before, here, after = accelerations[:-2], accelerations[1:-1], accelerations[2:]
+    speeds = places[..., 1:, :, :] - places[..., :-1, :, :]
+    speeds /= np.diff(times)[..., None, None]
+    middles = (times[..., 1:] + times[..., :-1]) / 2
+    accelerations = speeds[..., 1:, :, :] - speeds[..., :-1, :, :]
+    accelerations /= np.diff(middles)[..., None, None]
+    before, here, after = (accelerations[..., k : k - 2 or None, :, :] for k in (0, 1, 2))
     leaps = np.maximum(_longest(after - before), _longest(2 * here - before - after))
     return leaps, _longest(here)
 
 
 def _longest(vectors: Floats) -> Floats:
-    """The greatest length at each time, (S, K, 2) to (S,)."""
+    """The greatest length at each time, (..., K, 2) to (...)."""
     x, y = vectors[..., 0], vectors[..., 1]  # sums along short axes are slow
-    return np.asarray(np.sqrt((x * x + y * y).max(axis=1)))
+    return np.asarray(np.sqrt((x * x + y * y).max(axis=-1)))
 
 
 @lru_cache(maxsize=256)

@@ -250,9 +250,7 @@ class LeavingTrack(Leaf):
         ]
         place = self.leaving.place
         if place is not None:
-            size = self.leaving.size(gone)[:, None, None, None]
-            grown = (size * (ring - place) for ring in rings)
-            rings = [np.add(place, ring, out=ring) for ring in grown]
+            rings = [_shrunk(ring, place, self.leaving.size(gone)) for ring in rings]
         rings = [np.broadcast_to(ring, (len(t), *ring.shape[1:])) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)
@@ -309,6 +307,16 @@ class LeavingPaint:
             curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
         return replace(style, opacity=style.opacity * seen)
+
+
+def _shrunk(curves: Curves, place: Points, size: Floats) -> Curves:
+    """Curves (F, N, 4, 2), or the same at all times, (1, N, 4, 2), of sizes (F,) about a place."""
+    shape = curves.shape[1:]
+    # Row by row of all coordinates: arithmetic on pairs of them takes three times as long.
+    local = (curves - place).reshape(len(curves), -1)
+    shrunk = size[:, None] * local
+    shrunk += np.tile(place, local.shape[1] // 2)
+    return np.asarray(shrunk.reshape(len(size), *shape))
 
 
 def _carried(curves: Curves, places: Points, ratio: Complex, carry: Carry) -> Curves:

@@ -49,6 +49,7 @@ class PartWriter:
         #: Times of the movement at which paint is looked at, (S,).
         self.times = np.clip(strided.time, *INSIDE)
         self._styles: dict[Part, list[Style]] = {}
+        self._seen: dict[Part, tuple[float, float]] = {}
         self._motions: dict[Part, ShapeMotion] = {}
 
     def styles(self, part: Part) -> list[Style]:
@@ -64,9 +65,12 @@ class PartWriter:
         """
         if not self.clock.adaptive:
             return ALWAYS
-        low, high = shown_while(part)
-        outside = (style for style, t in self._timed(part) if not low <= t <= high)
-        return (low, high) if all(style.opacity <= 0 for style in outside) else ALWAYS
+        if part not in self._seen:
+            low, high = shown_while(part)
+            outside = (style for style, t in self._timed(part) if not low <= t <= high)
+            hidden = all(style.opacity <= 0 for style in outside)
+            self._seen[part] = (low, high) if hidden else ALWAYS
+        return self._seen[part]
 
     def motion(self, part: Part) -> ShapeMotion:
         """How the shape of a part moves."""

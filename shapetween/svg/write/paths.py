@@ -144,12 +144,14 @@ def straight_curves(curves: Curves, between: float, ends: float) -> Mask:
     -------
     (N,) bool
     """
-    result = np.ones(curves.shape[1], dtype=bool)
+    most = min(between, ends)
+    result = _from_chords(curves[[0, -1]]).max(axis=0, initial=0.0) <= most
+    left = np.flatnonzero(result)
     step = max(1, AT_ONCE // max(len(curves), 1))
-    for k in range(0, len(result), step):
-        away = _from_chords(curves[:, k : k + step])
-        at_ends = away[[0, -1]].max(axis=0, initial=0.0) <= ends
-        result[k : k + step] = at_ends & (away.max(axis=0, initial=0.0) <= between)
+    for k in range(0, len(left), step):
+        own = left[k : k + step]
+        few = curves if len(own) == curves.shape[1] else curves[:, own]
+        result[own] = _from_chords(few).max(axis=0, initial=0.0) <= between
     return result
 
 

@@ -217,7 +217,7 @@ class _Plan:
         form, points, _ = self.laid_out(stacks.pop())
         first = on_grid(points[:1], decimals)
         rest = form.texts(first, decimals)[0]
-        if np.ptp(points, axis=0).max(initial=0.0) <= STILL * self.step:
+        if not _moves(points, STILL * self.step):
             return ShapeMotion(rest, ())
         importance = np.where(form.handles, HANDLE, 1.0)
         if clock.adaptive:
@@ -258,7 +258,7 @@ class _Plan:
         sums: list[tuple[Index, EasingSum]] = []
         for k, group in enumerate(groups):
             own = np.flatnonzero(group_of == k)
-            if np.ptp(points[:, own], axis=0).max(initial=0.0) <= STILL * self.step:
+            if not _moves(points[:, own], STILL * self.step):
                 continue
             found = sum_of_easings(
                 points[:, own],
@@ -294,6 +294,14 @@ class _Plan:
         return found
 
 
+def _moves(points: Floats, most: float) -> bool:
+    """Whether any coordinate of points (S, K, 2) covers more than so much."""
+    # Mostly they are seen to by one sample.
+    if np.abs(points[len(points) // 2] - points[0]).max(initial=0.0) > most:
+        return True
+    return bool(np.ptp(points, axis=0).max(initial=0.0) > most)
+
+
 def _terms_of_use(length: int, keyframes: int) -> int:
     """How many easings take fewer bytes than so many keyframes of some length each."""
     return int((keyframes - 2) * (length + KEYFRAME) / (ANIMATION + TERM * length)) + 1
@@ -303,11 +311,10 @@ def _summed(
     found: EasingSum, first: Grid, form: PathForm, clock: Clock, decimals: int
 ) -> tuple[dict[str, str], ...]:
     """The animations of a sum of easings; the first replaces, and the others add."""
-    rest, *_ = form.texts(first, decimals)
-    start, *added = form.texts(np.concatenate([first + found.terms[:1], found.terms[1:]]), decimals)
+    every = np.concatenate([first, first + found.terms[:1], found.terms])
+    rest, start, alone, *added = form.texts(every, decimals)
     head, *tail = found.easings
     ways = [[{"attributeName": "d", **timing}] for timing in clock.eased(head, rest, start)]
-    alone = form.texts(found.terms[:1], decimals)[0]
     if clock.is_one_way and len(alone) + ANIMATION < len(start):
         # What stays is told once: it is set, and all that moves adds to it.
         ways, tail, added = (
