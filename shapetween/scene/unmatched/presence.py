@@ -251,13 +251,14 @@ class LeavingTrack(Leaf):
         place = self.leaving.place
         if place is not None:
             rings = [_shrunk(ring, place, self.leaving.size(gone)) for ring in rings]
-        rings = [np.broadcast_to(ring, (len(t), *ring.shape[1:])) for ring in rings]
+        else:
+            rings = [np.array(np.broadcast_to(ring, (len(t), *ring.shape[1:]))) for ring in rings]
         if len(self.carries) == len(rings) > 1:
             pairs = zip(rings, self.carries, strict=True)
             rings = [_carried(ring, *carry.moved(t), carry) for ring, carry in pairs]
             result = np.concatenate(rings, axis=1)
         else:
-            result = np.concatenate(rings, axis=1)
+            result = rings[0] if len(rings) == 1 else np.concatenate(rings, axis=1)
             if len(self.carries) > 1:
                 result = _spanned(result, self.carries, t)
             elif self.carries:
@@ -306,7 +307,7 @@ class LeavingPaint:
         if has_gradient(style):
             curves = self.track.curves(np.array([t, float(self.end)])).reshape(2, -1, 2)
             style = moved_style(style, _similarity(curves[1], curves[0]))
-        return replace(style, opacity=style.opacity * seen)
+        return replace(style, opacity=style.opacity * seen) if seen != 1 else style
 
 
 def _shrunk(curves: Curves, place: Points, size: Floats) -> Curves:
