@@ -102,14 +102,14 @@ class BandPattern:
         entry = np.flatnonzero((j >= 0) & (i >= j))
         row, column = i.ravel()[entry], j.ravel()[entry]
         height = int((row - column).max(initial=0)) + 1
-        return cls(elements, count, height, entry, (row - column) * count + column)
+        return cls(elements, count, height, entry, (row - column) + height * column)
 
     def band(self, blocks: Floats) -> Floats:
-        """Sum symmetric blocks (E, K, K) into the lower band, (height, count)."""
+        """Sum symmetric blocks (E, K, K) into the lower band, (height, count), as LAPACK has it."""
         size = self.height * self.count
         values = blocks.reshape(-1)[self._entry]
         cells = np.bincount(self._cell, weights=values, minlength=size)
-        return np.asarray(cells.reshape(self.height, self.count), dtype=np.float64)
+        return np.asarray(cells.reshape(self.count, self.height).T, dtype=np.float64)
 
     def vector(self, parts: Floats) -> Floats:
         """Sum the elements' parts (E, K) of a vector, (count,)."""
@@ -185,7 +185,9 @@ class BandSystem:
 
 
 def factorised(band: Floats) -> Floats:
-    """Cholesky factor of a lower band (height, U); LAPACK itself costs less than its wrapper.
+    """Cholesky factor of a lower band (height, U), which it may overwrite.
+
+    LAPACK itself costs less than its wrapper.
 
     Raises
     ------
@@ -194,7 +196,7 @@ def factorised(band: Floats) -> Floats:
     """
     from scipy.linalg.lapack import dpbtrf
 
-    factor, failed = dpbtrf(band, lower=1)
+    factor, failed = dpbtrf(band, lower=1, overwrite_ab=1)
     if failed:
         raise np.linalg.LinAlgError(f"not positive definite at unknown {failed}")
     return np.asarray(factor)

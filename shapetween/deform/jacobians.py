@@ -11,7 +11,7 @@ is known only up to whole turns; neighbours must agree, or what lies between the
 
 import numpy as np
 
-from shapetween.base.arrays import Complex, Floats, Index, Mask
+from shapetween.base.arrays import Complex, Floats, Index, Mask, row_sums
 from shapetween.deform.triangulate import triangle_edges
 from shapetween.geometry.linearmaps import LinearMaps
 from shapetween.geometry.rotation import coherent_angles
@@ -62,9 +62,7 @@ def jacobians(shape_gradients: Complex, corners: Complex) -> LinearMaps:
     (..., T) linear maps
     """
     half = corners / 2
-    return LinearMaps(
-        (half * shape_gradients.conj()).sum(axis=-1), (half * shape_gradients).sum(axis=-1)
-    )
+    return LinearMaps(row_sums(half * shape_gradients.conj()), row_sums(half * shape_gradients))
 
 
 def polar_path(maps: LinearMaps, angles: Floats, t: Floats) -> LinearMaps:

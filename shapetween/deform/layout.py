@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Index, Mask, Points
+from shapetween.base.arrays import Floats, Index, Mask, Points, row_lengths
 from shapetween.deform.triangulate import constrained_delaunay, split_edges, triangle_edges
 from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.rotation import rotations
@@ -107,7 +107,7 @@ def _grids(starts: Points, ends: Points, radius: float, spacing: float, turn: Fl
         count = int(np.ceil(radius / spacing)) + 1
         i, j = np.meshgrid(*[np.arange(-2 * count, 2 * count + 1)] * 2)
         grid = spacing * np.stack([i + j / 2, j * np.sqrt(0.75)], axis=-1).reshape(-1, 2)
-        grid = grid[np.linalg.norm(grid, axis=1) < radius - GRID_THINNING * spacing / 2] @ turn.T
+        grid = grid[row_lengths(grid) < radius - GRID_THINNING * spacing / 2] @ turn.T
         away = _distances(grid, starts, ends) / spacing
         grid = grid[(away > GRID_BAND[0]) & (away < GRID_BAND[1])]
         apart = squared(as_complex(grid)[:, None] - as_complex(kept)).min(axis=1, initial=np.inf)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from shapetween.base.arrays import Complex, Floats, Index, Mask, Points, frozen
+from shapetween.base.arrays import Complex, Floats, Index, Mask, Points, frozen, row_sums
 from shapetween.base.errors import OutlineError, ShapeError
 from shapetween.deform.layout import FRAME_CORNERS, Layout, ring_edges
 from shapetween.deform.pose import AffinePath, Pose, affine_path
@@ -250,7 +250,7 @@ def _attempts(
 
 def _thin(corners: Points) -> Mask:
     """Which triangles (T, 3, 2) are inverted or almost without area."""
-    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(-1).max(axis=1)
+    longest = row_sums((corners - np.roll(corners, 1, axis=1)) ** 2).max(axis=1)
     return np.asarray(polygon_area(corners) <= LEAST_ASPECT * longest)
 
 

@@ -23,7 +23,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.base.arrays import Complex, Floats, Index, Points, times
+from shapetween.base.arrays import Complex, Floats, Index, Points, row_sums, times
 from shapetween.deform.banded import BandSystem
 from shapetween.deform.jacobians import gradients, jacobians, polar_path, spread_angles
 from shapetween.deform.layout import ring_edges
@@ -169,7 +169,7 @@ class AmbientMotion:
         grown, edges = np.ones(len(t)), wanted_edges
         for step in range(1 + ROUNDS):
             if step:
-                fitting = (at[:, mesh.triangles] * against).sum(axis=2)
+                fitting = row_sums(at[:, mesh.triangles] * against)
                 area = np.maximum(self._edges.area(at), LEAST_AREA * areas)
                 grown = grown * np.sqrt(areas / area)
                 turns = _unit(fitting + prior) * np.where(mesh.inside, grown[:, None], 1)

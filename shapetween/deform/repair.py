@@ -10,7 +10,7 @@ outlines from crossing.
 
 import numpy as np
 
-from shapetween.base.arrays import Complex, Floats
+from shapetween.base.arrays import Complex, Floats, row_sums
 from shapetween.deform.keyed import KeyedMotion
 from shapetween.deform.mesh import AmbientMesh
 from shapetween.geometry.linearmaps import as_complex, squared
@@ -61,7 +61,7 @@ def _pushed(mesh: AmbientMesh, posed: Complex, sweeps: int) -> Complex:
             break
         cell, corners, lack = cell[bad], corners[bad], lack[bad]
         gradient = 0.5j * (corners[:, [2, 0, 1]] - corners[:, [1, 2, 0]])
-        step = (lack / squared(gradient).sum(axis=1))[:, None] * gradient
+        step = (lack / row_sums(squared(gradient)))[:, None] * gradient
         cell, step = cell.ravel(), step.ravel()
         sums = [np.bincount(cell, part, flat.size) for part in (step.real, step.imag)]
         number = np.bincount(cell, minlength=flat.size)
@@ -71,7 +71,8 @@ def _pushed(mesh: AmbientMesh, posed: Complex, sweeps: int) -> Complex:
         # A triangle that nothing has touched is as valid as it was.
         moved = number.reshape(frames, count) > 0
         touched = np.flatnonzero(moved.any(axis=1))
-        near = moved[touched][:, triangles].any(axis=2)
+        first, second, third = (moved[touched][:, corner] for corner in triangles.T)
+        near = first | second | third
         frame, face = np.divmod(np.flatnonzero(near), len(triangles))  # quicker than by axes
         frame = touched[frame]
     return result

@@ -175,7 +175,7 @@ def _near(
         here = pairs[0][found], pairs[1][found]
         found = found[_all_near(held, off, here, allowed, look)]
     if not len(found):
-        return found, np.empty((4, 2, len(off), 0)), np.empty((len(off), 0))
+        return found, np.zeros((4, 2, len(off), 0)), np.zeros((len(off), 0))
     step = max(1, AT_ONCE // len(off))
     kept: list[tuple[Index, Floats, Floats]] = []
     for k in range(0, len(found), step):

@@ -303,7 +303,8 @@ def _leaving(curves: Complex) -> Complex:
     """Offset from each curve's start of the first control point away from it, (...,)."""
     offsets = curves[..., 1:] - curves[..., :1]
     size = np.abs(offsets)
-    away = size > COINCIDENT * size.max(axis=-1, keepdims=True)
+    largest = np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
+    away = size > COINCIDENT * largest[..., None]
     return np.asarray(np.take_along_axis(offsets, away.argmax(axis=-1)[..., None], axis=-1)[..., 0])
 
 

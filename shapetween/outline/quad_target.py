@@ -10,7 +10,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Complex, Floats, Index, Mask, Points, Quads
+from shapetween.base.arrays import (
+    Complex,
+    Floats,
+    Index,
+    Mask,
+    Points,
+    Quads,
+    row_lengths,
+    row_sums,
+)
 from shapetween.deform.jacobians import AREA_EXPONENT, gradients, jacobians
 from shapetween.geometry.homography import corner_weights
 from shapetween.geometry.linearmaps import LinearMaps, as_complex, as_points
@@ -189,8 +198,8 @@ def _read_jacobians(
     weights = corner_weights(np.broadcast_to(start, ends.shape), ends)[:, followed, :3]
     corners = moved[:, followed, :3]
     weighted = weights * shares
-    total = weighted.sum(axis=2, keepdims=True)
-    image = (weighted * corners).sum(axis=2, keepdims=True) / total
+    total = row_sums(weighted)[..., None]
+    image = row_sums(weighted * corners)[..., None] / total
     return jacobians(slopes, weights * (corners - image) / total)
 
 
@@ -200,9 +209,9 @@ def _nearest_quads(points: Points, quads: Quads) -> tuple[Index, Points]:
     offset = points[:, None, None] - quads  # (P, Q, 4, 2)
     across = side[..., 0] * offset[..., 1] - side[..., 1] * offset[..., 0]
     within = np.asarray((across >= 0).all(axis=-1))  # (P, Q)
-    share = np.clip((offset * side).sum(-1) / (side**2).sum(-1), 0.0, 1.0)
+    share = np.clip(row_sums(offset * side) / row_sums(side**2), 0.0, 1.0)
     foot = quads + share[..., None] * side
-    away = np.linalg.norm(points[:, None, None] - foot, axis=-1)
+    away = row_lengths(points[:, None, None] - foot)
     distance = np.where(within, 0.0, away.min(axis=-1))
     # Quads that share a corner are as near to what lies beyond it: the first of them is taken.
     nearest = np.argmax(distance <= (1 + SAME) * distance.min(axis=1, keepdims=True), axis=1)

@@ -204,9 +204,7 @@ def library(
 
 
 @lru_cache(maxsize=RECENT)
-def _library(
-    clock: bytes, turns: tuple[float, ...], own: bool
-) -> tuple[tuple[Eased, ...], Floats]:
+def _library(clock: bytes, turns: tuple[float, ...], own: bool) -> tuple[tuple[Eased, ...], Floats]:
     ends = sorted((0.0, *turns, 1.0))
     windows = [(a, b) for a, b in product(ends, ends) if a < b]
     windows.sort(key=lambda window: window[0] - window[1])
@@ -352,10 +350,10 @@ def _exactly(times: Floats, width: float, look: Callable[[Floats], Floats]) -> l
 
 
 def _leaps(times: Floats, places: Floats) -> tuple[Floats, Floats]:
-    """How far the acceleration leaps at all times but two at either end.
+    """How far the acceleration leaps at all times but two at either end, and what it is.
 
-    Of times (..., S) and places (..., S, K, 2) then, (..., S - 4). What is before a sample and after it, where the acceleration leaps; and where the speed does,
-    what it is there beside both. And what the acceleration is.
+    Of times (..., S) and places (..., S, K, 2) then, each (..., S - 4). What is before a sample and
+    after it, where the acceleration leaps; and where the speed does, what it is there beside both.
     """
     speeds = places[..., 1:, :, :] - places[..., :-1, :, :]
     speeds /= np.diff(times)[..., None, None]

@@ -90,7 +90,7 @@ def _boxes(part: Part, writer: PartWriter) -> Floats:
     points = part.curves(writer.times).reshape(len(writer.times), -1, 2)
     strokes = [style.stroke for style in writer.styles(part)]
     reach = np.array([0.0 if s is None else s.width * max(s.miter_limit, 2) / 2 for s in strokes])
-    boxes = np.empty((len(points), 2, 2))
+    boxes = np.zeros((len(points), 2, 2))
     for axis in (0, 1):  # both at once take twenty times as long
         boxes[:, 0, axis] = points[..., axis].min(axis=1) - reach
         boxes[:, 1, axis] = points[..., axis].max(axis=1) + reach
