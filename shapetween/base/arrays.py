@@ -50,6 +50,7 @@ Mask = NDArray[np.bool_]
 
 
 ItemT = TypeVar("ItemT", bound=np.generic)
+NumberT = TypeVar("NumberT", np.float64, np.complex128)
 
 
 def side_by_side(stacks: Sequence[Curves]) -> Curves:
@@ -57,7 +58,7 @@ def side_by_side(stacks: Sequence[Curves]) -> Curves:
     return stacks[0] if len(stacks) == 1 else np.concatenate(stacks, axis=1)
 
 
-def row_sums(values: NDArray[ItemT]) -> NDArray[ItemT]:
+def row_sums(values: NDArray[NumberT]) -> NDArray[NumberT]:
     """Sums along a short last axis, (..., K) to (...), K from 1 to 3.
 
     What ``values.sum(axis=-1)`` gives, to the bit, and up to fifty times as quick: numpy starts

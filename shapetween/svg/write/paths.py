@@ -145,7 +145,7 @@ def straight_curves(curves: Curves, between: float, ends: float) -> Mask:
     (N,) bool
     """
     most = min(between, ends)
-    result = _from_chords(curves[[0, -1]]).max(axis=0, initial=0.0) <= most
+    result = np.asarray(_from_chords(curves[[0, -1]]).max(axis=0, initial=0.0) <= most)
     left = np.flatnonzero(result)
     step = max(1, AT_ONCE // max(len(curves), 1))
     for k in range(0, len(left), step):
