@@ -366,3 +366,11 @@ def test_a_large_rest_of_a_line_is_a_thing_by_itself(tmp_path: Path) -> None:
     (a, b), roles = scene(found).scenes, scene(found).roles
     assert max((a.items[k].size / a.scale for k in roles.disappearing), default=0.0) < 0.5
     assert max((b.items[k].size / b.scale for k in roles.appearing), default=0.0) < 0.5
+
+
+def test_a_tiny_line_beside_one_that_is_all_of_another_cuts_nothing(tmp_path: Path) -> None:
+    """As in charts of many bars, whose neighbours lie nearly on each other."""
+    one = '<path d="M30 100V1"/>'
+    other = '<path d="M31 100V1"/><path d="M29 60v-.8"/>'
+    found = morph(tmp_path, one, other, 'viewBox="0 0 100 100" fill="none" stroke="#000"')
+    assert len(scene(found).scenes[0].items) == 1

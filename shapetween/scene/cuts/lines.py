@@ -1,10 +1,11 @@
 """Lines that lie on longer ones of the other drawing, which are cut where the shorter ones end."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Mask, Points
+from shapetween.base.arrays import Floats, Index, Mask, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.paint import Gradient
 from shapetween.scene.asked import Group
@@ -50,9 +51,10 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
     kept = {k for one, _ in groups for k in one}
     found: Found = {}
     taken: set[int] = set()
-    lines = [(k, item) for k, item in enumerate(parts.items) if not item.filled and not item.closed]
-    if not lines:
+    numbers = [k for k, item in enumerate(parts.items) if not item.filled and not item.closed]
+    if not numbers:
         return found
+    lines = _Lines.of(parts.items, numbers)
     sampled: dict[int, Points] = {}
     scale = (whole.scale + parts.scale) / 2
     order = np.argsort(-comparable([item.length for item in whole.items]), kind="stable").tolist()
@@ -60,12 +62,13 @@ def shared_lines(whole: Scene, parts: Scene, groups: Sequence[Group] = ()) -> Fo
         item = whole.items[k]
         if item.filled or item.shape in kept or not opaque(item):
             continue
-        near = [(j, line) for j, line in lines if j not in taken and _near(line, item, scale)]
+        near = [j for j in lines.near(item, scale) if j not in taken]
         if not near:
             continue
         places = Places(item.outer)
         spans = []
-        for j, line in near:
+        for j in near:
+            line = parts.items[j]
             if j not in sampled:
                 sampled[j] = Places(line.outer).point(np.linspace(0.0, 1.0, SAMPLED))
             span = _span(places, line, sampled[j], scale)
@@ -203,14 +206,36 @@ def opaque(item: Item) -> bool:
     return alpha * item.style.opacity > 0.999
 
 
-def _near(line: Item, item: Item, scale: float) -> bool:
-    """Whether a line is painted like another one, no longer and within its box."""
-    if line.length > (1 + LENGTH) * item.length:
-        return False
-    if not _painted_alike(line, item):
-        return False
-    low, high = item.box - ON * scale, item.box + ON * scale
-    return not ((line.box[0] < low[0]).any() or (line.box[1] > high[1]).any())
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lines:
+    """Numbers of open lines among a scene's items, and what tells which may lie on another one."""
+
+    numbers: Index
+    lengths: Floats
+    widths: Floats
+    colours: Floats
+    boxes: Floats
+
+    @classmethod
+    def of(cls, items: Sequence[Item], numbers: list[int]) -> "_Lines":
+        """Of the items of some numbers."""
+        lines = [items[k] for k in numbers]
+        return cls(
+            np.array(numbers, np.intp),
+            np.array([line.length for line in lines]),
+            np.array([line.width for line in lines]),
+            np.array([line.colour for line in lines]),
+            np.array([line.box for line in lines]),
+        )
+
+    def near(self, item: Item, scale: float) -> list[int]:
+        """Numbers of those that are painted like an item, no longer and within its box."""
+        fits = self.lengths <= (1 + LENGTH) * item.length
+        fits &= abs(self.widths - item.width) <= 0.2 * item.width
+        fits &= (np.abs(self.colours - item.colour) <= 0.05).all(axis=1)
+        fits &= (self.boxes[:, 0] >= item.box[0] - ON * scale).all(axis=1)
+        fits &= (self.boxes[:, 1] <= item.box[1] + ON * scale).all(axis=1)
+        return [int(k) for k in self.numbers[fits]]
 
 
 def _span(places: Places, line: Item, points: Points, scale: float) -> tuple[float, float] | None:
@@ -249,12 +274,12 @@ def _at_corners(places: Places, spans: list[tuple[float, float, int]]) -> bool:
 
 
 def _apart(spans: list[tuple[float, float, int]], closed: bool) -> list[tuple[float, float, int]]:
-    """Spans that do not overlap, the longest first."""
+    """Spans that do not overlap, the longest first; nor does a tiny one lie within another."""
     kept: list[tuple[float, float, int]] = []
     for start, end, j in sorted(spans, key=lambda s: (round(s[0] - s[1], 6), s)):
         shifts = (-1.0, 0.0, 1.0) if closed else (0.0,)
         clear = all(
-            min(end, e + shift) - max(start, s + shift) < REST
+            min(end, e + shift) - max(start, s + shift) < min(REST, (end - start) / 2)
             for s, e, _ in kept
             for shift in shifts
         )
