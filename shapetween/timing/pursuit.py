@@ -61,14 +61,16 @@ class Pursuit:
 
     def exchange(self) -> bool:
         """Choose each column anew with the others given, twice; whether anything changed."""
-        before = list(self.chosen)
-        for _ in range(2):
-            for place in range(len(self.chosen)):
-                others = self.chosen[:place] + self.chosen[place + 1 :]
-                gains = self._gains(others)
-                best = _first_best(gains, others)
-                if gains[best] > gains[self.chosen[place]] * (1 + _alike(others)):
-                    self.chosen[place] = best
+        before, count, settled = list(self.chosen), len(self.chosen), 0
+        for place in (*range(count), *range(count)):
+            others = self.chosen[:place] + self.chosen[place + 1 :]
+            gains = self._gains(others)
+            best = _first_best(gains, others)
+            if gains[best] > gains[self.chosen[place]] * (1 + _alike(others)):
+                self.chosen[place], settled = best, 0
+            settled += 1
+            if settled == count:  # each is the best beside the others as they are
+                break
         return before != self.chosen
 
     def _gains(self, others: list[int]) -> Floats:
