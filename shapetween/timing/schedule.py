@@ -6,6 +6,7 @@ whole does. So keyframes are needed only where the movement is not straight in i
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -73,14 +74,9 @@ class Schedule:
     def finer(self) -> tuple["Schedule", Index]:
         """More samples near both ends, where an easing may be as steep as it likes.
 
-        And which of them are the samples of this schedule.
+        And which of them are the samples of this schedule. Read only.
         """
-        steps = len(self.clock) - 1
-        near = NEARER / steps
-        inner = np.arange(1, steps) / steps
-        s = np.concatenate([[0.0], near, inner, 1 - near[::-1], [1.0]])
-        kept = np.concatenate([[0], len(near) + np.arange(1, steps), [len(s) - 1]])
-        return self._at(s, self.handles), kept
+        return _finer(self)
 
     def with_corners(self, corners: Sequence[float]) -> tuple["Schedule", Index]:
         """More samples, at some moments of the clock and between those that are close.
@@ -129,3 +125,16 @@ class Schedule:
         start, size = curves[:, :1], curves[:, 3:] - curves[:, :1]
         inner = (curves[:, 1:3] - start) / np.where(size > 0, size, 1.0)
         return np.clip(inner, 0.0, 1.0).reshape(-1, 4)
+
+
+@lru_cache(maxsize=4)  # all parts of a movement ask for the same
+def _finer(schedule: Schedule) -> tuple[Schedule, Index]:
+    steps = len(schedule.clock) - 1
+    near = NEARER / steps
+    inner = np.arange(1, steps) / steps
+    s = np.concatenate([[0.0], near, inner, 1 - near[::-1], [1.0]])
+    kept = np.concatenate([[0], len(near) + np.arange(1, steps), [len(s) - 1]])
+    finer = Schedule._at(s, schedule.handles)
+    for array in (finer.clock, finer.time, kept):
+        array.setflags(write=False)
+    return finer, kept

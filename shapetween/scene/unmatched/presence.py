@@ -235,6 +235,11 @@ class LeavingTrack(Leaf):
         """Number of curves in each ring."""
         return tuple(len(curves) for curves in self.whole)
 
+    @cached_property
+    def _places(self) -> tuple[Places, ...]:
+        """Where places of each line are along it."""
+        return tuple(Places(Outline(curves, False)) for curves in self.whole)
+
     def curves(self, t: Floats) -> Curves:
         """Control points at the times (F,), (F, N, 4, 2)."""
         gone = self.leaving.gone(t, self.end)
@@ -245,8 +250,8 @@ class LeavingTrack(Leaf):
             if self.fold is not None
             else curves[None]
             if share is None
-            else retracted(curves, self.leaving.size(gone), share)
-            for curves, share in zip(self.whole, shares, strict=True)
+            else retracted(self._places[k], self.leaving.size(gone), share)
+            for k, (curves, share) in enumerate(zip(self.whole, shares, strict=True))
         ]
         place = self.leaving.place
         if place is not None:
@@ -355,15 +360,15 @@ def _similarity(home: Points, now: Points) -> Affine:
     return np.array([[ratio.real, -ratio.imag, shift.real], [ratio.imag, ratio.real, shift.imag]])
 
 
-def retracted(curves: Curves, left: Floats, kept: float) -> Curves:
-    """A share (F,) of a line (N, 4, 2) about a share of its length that stays, (F, N, 4, 2).
+def retracted(places: Places, left: Floats, kept: float) -> Curves:
+    """A share (F,) of a line of N curves about a share of its length that stays, (F, N, 4, 2).
 
     What is cut off lies at the ends of what is left as lines too short to be seen, which go on in
     its direction: an outline that follows the line has caps there, and a point has no direction.
     """
     left = np.maximum(left, SHORTEST)
     low, high = kept * (1 - left), 1 - (1 - kept) * (1 - left)
-    places = Places(Outline(curves, False))
+    curves = places.outline.curves
     count = len(curves)
     first, begin = places.locate(low)
     last, end = places.locate(high)

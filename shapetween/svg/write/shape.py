@@ -165,7 +165,8 @@ class _Plan:
     @property
     def _samples(self) -> int:
         """Curves of all samples together."""
-        return len(self.clock.schedule.finer()[0].clock) * sum(self.part.rings)
+        finer, _ = self.clock.schedule.finer()
+        return len(finer.clock) * sum(self.part.rings)
 
     @property
     def step(self) -> float:
