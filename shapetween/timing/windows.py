@@ -117,6 +117,10 @@ class Eased:
     window: tuple[float, float] = (0.0, 1.0)
 
 
+Library: TypeAlias = tuple[tuple[Eased, ...], Floats]
+"""Easings, and what they are at some times, (S, L), read only."""
+
+
 def eased_shares(easing: Eased, clock: Floats) -> Floats:
     """What an easing is at some times (S,)."""
     return np.asarray(_shares((easing.handles,), easing.window, clock)[:, 0])
@@ -193,18 +197,13 @@ def _shares(handles: Sequence[Handles], window: tuple[float, float], clock: Floa
     return np.asarray(np.where(times <= 0, 0.0, np.where(times >= 1, 1.0, share)))
 
 
-def library(
-    clock: Floats, turns: tuple[float, ...], *, own: bool = False
-) -> tuple[tuple[Eased, ...], Floats]:
-    """Easings over all windows between some times, and what they are at others (S,), (S, L).
-
-    Of the `own` ones only straight ones and `OWN`. Read only.
-    """
+def library(clock: Floats, turns: tuple[float, ...], *, own: bool = False) -> Library:
+    """Easings over all windows between some times; of `own` ones only straight ones and `OWN`."""
     return _library(clock.tobytes(), turns, own)
 
 
 @lru_cache(maxsize=RECENT)
-def _library(clock: bytes, turns: tuple[float, ...], own: bool) -> tuple[tuple[Eased, ...], Floats]:
+def _library(clock: bytes, turns: tuple[float, ...], own: bool) -> Library:
     ends = sorted((0.0, *turns, 1.0))
     windows = [(a, b) for a, b in product(ends, ends) if a < b]
     windows.sort(key=lambda window: window[0] - window[1])
@@ -372,9 +371,7 @@ def _longest(vectors: Floats) -> Floats:
 
 
 @lru_cache(maxsize=256)
-def _table(
-    clock: bytes, window: tuple[float, float], every: bool
-) -> tuple[tuple[Eased, ...], Floats]:
+def _table(clock: bytes, window: tuple[float, float], every: bool) -> Library:
     """Easings over one window, all or few, and what they are at times."""
     times = np.frombuffer(clock, np.float64)
     whole = window == (0.0, 1.0) and every

@@ -8,15 +8,9 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Complex, Curves, Floats, Index, Points
+from shapetween.base.arrays import Affine, Complex, Curves, Floats, Points
 from shapetween.base.ends import End
-from shapetween.geometry.bezier import (
-    derivatives,
-    end_tangents,
-    evaluate,
-    line_curves,
-    sub_curves,
-)
+from shapetween.geometry.bezier import evaluate
 from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.model.gradients import has_gradient, moved_style
 from shapetween.model.outline import Outline
@@ -24,6 +18,7 @@ from shapetween.model.paint import Stroke, Style
 from shapetween.model.part import CurveTrack, Leaf
 from shapetween.scene.motion.fold import Fold
 from shapetween.scene.places import Places
+from shapetween.scene.unmatched.shortened import shortened
 
 __all__ = ["BOTH", "Carry", "Leaving", "LeavingPaint", "LeavingTrack", "smooth_step"]
 
@@ -41,10 +36,6 @@ SHRINKS, RETRACTS = 2.4, 2.0
 #: Share of its size from which on what shrinks keeps the weight of its strokes. At 1 they thin from
 #: the start; at 0 what is small is a blot.
 HEAVY = 0.5
-
-#: Share of a line's length that lines without any length are given, for their direction. Larger and
-#: they are seen; smaller and their direction is lost in rounding.
-SHORTEST = 1e-5
 
 #: Least and greatest growth of what carries a part along that the part takes up. Farther, and what
 #: leaves a thing that itself collapses would be a speck, or as large as the drawing.
@@ -250,7 +241,7 @@ class LeavingTrack(Leaf):
             if self.fold is not None
             else curves[None]
             if share is None
-            else retracted(self._places[k], self.leaving.size(gone), share)
+            else shortened(self._places[k], self.leaving.size(gone), share)
             for k, (curves, share) in enumerate(zip(self.whole, shares, strict=True))
         ]
         place = self.leaving.place
@@ -358,57 +349,3 @@ def _similarity(home: Points, now: Points) -> Affine:
     ratio = complex((offsets.conj() @ (other - other.mean())) / spread) if spread > 0 else 0j
     shift = complex(other.mean() - ratio * one.mean())
     return np.array([[ratio.real, -ratio.imag, shift.real], [ratio.imag, ratio.real, shift.imag]])
-
-
-def retracted(places: Places, left: Floats, kept: float) -> Curves:
-    """A share (F,) of a line of N curves about a share of its length that stays, (F, N, 4, 2).
-
-    What is cut off lies at the ends of what is left as lines too short to be seen, which go on in
-    its direction: an outline that follows the line has caps there, and a point has no direction.
-    """
-    left = np.maximum(left, SHORTEST)
-    low, high = kept * (1 - left), 1 - (1 - kept) * (1 - left)
-    curves = places.outline.curves
-    count = len(curves)
-    first, begin = places.locate(low)
-    last, end = places.locate(high)
-    index = np.arange(count)
-    start = np.where(
-        index < first[:, None], 1.0, np.where(index > first[:, None], 0.0, begin[:, None])
-    )
-    stop = np.where(index < last[:, None], 1.0, np.where(index > last[:, None], 0.0, end[:, None]))
-    whole_end = high >= 1.0
-    stop[whole_end] = 1.0
-    repeated = np.broadcast_to(curves, (len(left), *curves.shape)).reshape(-1, 4, 2)
-    parts = sub_curves(repeated, start.ravel(), np.maximum(stop, start).ravel())
-    parts = parts.reshape(len(left), count, 4, 2)
-    last = np.minimum(last, count - 1)
-    frames = np.arange(len(left))
-    leaving = _directions(curves[first], begin)[:, None]
-    reaching = _directions(curves[last], np.where(whole_end, 1.0, end))[:, None]
-    step = SHORTEST * places.length
-    gone = stop <= start
-    # How many such lines there are from what is left to the far end of each.
-    over = first[:, None] - index + gone[frames, first][:, None]
-    beyond = index - last[:, None] + gone[frames, last][:, None]
-    head, tail = parts[frames, first, 0][:, None], parts[frames, last, 3][:, None]
-
-    def out(place: Points, count: Index, way: Points) -> Points:
-        return np.asarray(place + count[..., None] * step * way)
-
-    heads = line_curves(out(head, -over, leaving), out(head, 1 - over, leaving))
-    tails = line_curves(out(tail, beyond - 1, reaching), out(tail, beyond, reaching))
-    before, after = gone & (index <= first[:, None]), gone & (index >= last[:, None])
-    parts = np.where(before[..., None, None], heads, parts)
-    return np.where(after[..., None, None], tails, parts)
-
-
-def _directions(curves: Curves, at: Floats) -> Points:
-    """Unit directions of curves (F, 4, 2) at a parameter each, (F, 2)."""
-    velocity = derivatives(curves, at[:, None])[:, 0]
-    speed = np.sqrt((velocity**2).sum(axis=1))[:, None]
-    size = np.abs(np.diff(curves, axis=1)).max(axis=(1, 2))[:, None]
-    leaving, reaching = end_tangents(curves)
-    ends = np.where(at[:, None] < 0.5, leaving, reaching)
-    moves = speed > 1e-9 * size
-    return np.asarray(np.where(moves, velocity / np.where(moves, speed, 1.0), ends))
