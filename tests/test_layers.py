@@ -128,8 +128,8 @@ def test_no_definition_is_left_over() -> None:
                 named.update(alias.name for alias in inner.names)
             elif isinstance(inner, ast.Constant) and isinstance(inner.value, str):
                 named.update(re.findall(r"\w+", inner.value) if ":" in inner.value else ())
-    lone = {name for name in defined if not named[name] and not name.startswith("__")}
-    assert lone <= ELSEWHERE
+    unnamed = {name for name in defined if not named[name] and not name.startswith("__")}
+    assert unnamed <= ELSEWHERE
 
 
 def room_of(name: str) -> str:

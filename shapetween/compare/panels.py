@@ -25,7 +25,7 @@ __all__ = ["film_strip", "playing", "seen_box", "side_by_side"]
 ROOM = 0.05
 
 #: How far outside the view box something may be and still be shown, as a share of its sides. More,
-#: and one stray speck makes all the rest small.
+#: and one stray dot makes all the rest small.
 FARTHEST = 0.2
 
 #: How much coarser keyframes and numbers are than in an animation of its own: panels are small.

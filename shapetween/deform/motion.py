@@ -196,8 +196,8 @@ class AmbientMotion:
         wanted = polar_path(self._jacobians, self._angles, t)
         if self.target is not None:
             inside = self.mesh.inside
-            led = self.target(t, wanted[:, inside])
-            wanted.a[:, inside], wanted.b[:, inside] = led.a, led.b
+            by_quads = self.target(t, wanted[:, inside])
+            wanted.a[:, inside], wanted.b[:, inside] = by_quads.a, by_quads.b
         return wanted
 
 

@@ -148,7 +148,7 @@ def split_edges(triangles: Index, edges: Index, marked: Mask, first: int) -> tup
     place = np.searchsorted(codes, wanted)
     split = np.append(codes, -1)[place] == wanted  # (T, 3): which sides have a new vertex
     number = split.sum(axis=1)
-    # Turned so that split sides come first: a lone one, and two in a row.
+    # Turned so that split sides come first: one alone, and two in a row.
     lead = np.where(number == 2, (~split).argmax(axis=1) + 1, split.argmax(axis=1))
     turn = (lead[:, None] + np.arange(3)) % 3
     a, b, c = np.take_along_axis(triangles, turn, axis=1).T

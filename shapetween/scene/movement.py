@@ -24,10 +24,9 @@ from shapetween.scene.doubtful import hopeless_pairs
 from shapetween.scene.exchange import (
     LEFT,
     behind_both,
-    exchange_goings,
-    exchange_roles,
     too_different,
 )
+from shapetween.scene.exchanged import exchange_goings, exchange_roles
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea
 from shapetween.scene.limits import limits_of_pairs

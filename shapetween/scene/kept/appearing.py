@@ -28,7 +28,7 @@ __all__ = [
 ]
 
 #: Share of the time that a slot opens in, in which it opens round. Longer, and there is
-#: a speck for long.
+#: a dot for long.
 POINTED = 0.2
 
 #: Bisections that a place on a curve is found by, to the last digit.

@@ -368,9 +368,9 @@ def _tracks(
     badges = badges_of(laid, near, scale)
     bitten = [piece for badge in badges for piece in badge.pieces]
     blunt, cleared = blunt_badges(laid, near, badges)
-    lone = len({*holes[0], *holes[1]} - paired)
+    unmatched = len({*holes[0], *holes[1]} - paired)
     moved = tracks_of_pieces(
-        laid, bars, bitten, cleared, bound[0], bound[1], lone, REACH * scale, parts=parts
+        laid, bars, bitten, cleared, bound[0], bound[1], unmatched, REACH * scale, parts=parts
     )
     if moved is None:
         return None

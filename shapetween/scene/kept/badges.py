@@ -56,7 +56,7 @@ BEYOND = 0.03
 #: Size, as a share of its reach, of a bite that is not open yet.
 POINT = 1e-9
 
-#: Power of the time that is left by which a badge is still to grow. At 1 it comes evenly, a speck
+#: Power of the time that is left by which a badge is still to grow. At 1 it comes evenly, a dot
 #: for long; much larger, and it snaps.
 GROWS = 2.0
 

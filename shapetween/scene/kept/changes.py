@@ -95,7 +95,7 @@ def tracks_of_pieces(
     cleared: Collection[Piece],
     first: Mapping[int, Outline],
     second: Mapping[int, Outline],
-    lone: int,
+    unmatched: int,
     reach: float,
     *,
     parts: bool,
@@ -113,7 +113,7 @@ def tracks_of_pieces(
         What goes before something comes in its place, or comes after that has gone.
     first, second : mapping of int to Outline
         Rings of both areas but for loose holes, as they are drawn, by their numbers.
-    lone : int
+    unmatched : int
         How many loose holes open or close by themselves.
     reach : float
         Distance within which outlines are one.
@@ -146,7 +146,7 @@ def tracks_of_pieces(
     areas = [sum(p.area.area for p in rest if p.comes == comes) for comes in (False, True)]
     large = max(areas) > LARGE * laid.kept.area
     # A hole that opens to the outside is none by itself: outlines alone would leave it out.
-    whole = len(openings) == lone
+    whole = len(openings) == unmatched
     if large and whole and not any(groups) and not all(_stands(piece, laid) for piece in rest):
         outlines = outline_tracks(first, second, laid.snapped.arcs, reach)
         if outlines is not None:

@@ -21,7 +21,7 @@ __all__ = ["Strip", "Tip", "Under"]
 #: moment is written down; fewer, and strips side by side are seen to end at different places.
 STEPS = 24
 
-#: The time in which what is left of a strip at last becomes a point. Longer, and crumbs are seen;
+#: The time in which what is left of a strip at last becomes a point. Longer, and slivers are seen;
 #: shorter, and it jumps.
 LAST = 0.008
 

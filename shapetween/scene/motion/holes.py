@@ -27,12 +27,12 @@ __all__ = ["Opening", "hole_tracks", "matched_holes", "opened"]
 #: and a hole crosses the region that another would have opened in.
 APART = 0.4
 
-#: Share of the time in which a hole opens. More, and it is a speck for long; less, and it is there
+#: Share of the time in which a hole opens. More, and it is a dot for long; less, and it is there
 #: before what it belongs to.
 OPENS = 0.85
 
-#: Shares of the time in which a lone hole closes or opens, the first one that keeps it inside.
-#: Longer than the first, and it is a crumb among what has become something else; shorter than the
+#: Shares of the time in which an unmatched hole closes or opens, the first that keeps it inside.
+#: Longer than the first, and it is a dot among what has become something else; shorter than the
 #: last, and it snaps.
 WINDOWS = (0.5, 0.3, 0.18)
 
@@ -81,18 +81,18 @@ def hole_tracks(
     }
     inside = _Inside(outer)
     moved = {pair: t for pair, t in moved.items() if pair in pinned or inside.keeps(t)}
-    lone = [
+    unmatched = [
         [k for k in range(len(own)) if all(pair[s] != k for pair in moved)]
         for s, own in enumerate(holes)
     ]
     tracks: list[CurveTrack] = list(moved.values())
     alone = (forth, back) if outer.turn else _upright(outer)
     for side, (own, matrix) in enumerate(zip(holes, alone, strict=True)):
-        for k in lone[side]:
+        for k in unmatched[side]:
             there = mapped(own[k].outer.curves, matrix)
             ends = (there, own[k].outer.curves) if side else (own[k].outer.curves, there)
             whole = _in_frame(Pieces(*ends, True), outer)
-            tracks.append(_lone(whole, inside, closes=not side, waits=bool(lone[0])))
+            tracks.append(_unmatched(whole, inside, closes=not side, waits=bool(unmatched[0])))
     return tuple(tracks)
 
 
@@ -128,7 +128,7 @@ def _frame(first: Item, second: Item) -> Mapping[tuple[int, int], Points | None]
     return {(found[0][0], found[1][0]): None} if all(len(side) == 1 for side in found) else {}
 
 
-def _lone(whole: Blend, inside: "_Inside", *, closes: bool, waits: bool) -> "Opening":
+def _unmatched(whole: Blend, inside: "_Inside", *, closes: bool, waits: bool) -> "Opening":
     """A hole that closes early or opens late, so that it stays in what moves round it.
 
     One that opens where others close waits for them.

@@ -52,7 +52,7 @@ LIES_ON = 0.8
 GROUND = 0.4
 
 #: Size at which what grows is first seen: a share of its own, and at most one of the drawing. With
-#: none, what comes is a speck first; with much, it snaps into place.
+#: none, what comes is a dot first; with much, it snaps into place.
 LEAST, LEAST_SEEN = 0.3, 0.06
 
 #: Gap to another part, as a share of the drawing, that a part keeps all along if that one covers a
@@ -82,7 +82,7 @@ LATE = 0.55
 def goings_between(
     scenes: tuple[Scene, Scene],
     anchors: tuple[Anchors, Anchors],
-    lone: tuple[Sequence[int], Sequence[int]],
+    unmatched: tuple[Sequence[int], Sequence[int]],
     change: Change | None = None,
 ) -> tuple[dict[int, Going], dict[int, Going]]:
     """How the items of two drawings that have no partners go, and come.
@@ -92,41 +92,41 @@ def goings_between(
     scenes : (Scene, Scene)
     anchors : (mapping of int to sequence of Track, ...)
         Of the items that have partners.
-    lone : (sequence of int, sequence of int)
+    unmatched : (sequence of int, sequence of int)
     change : str, optional
         How they go, if the user says so. What cannot be drawn along its length grows instead.
     """
     gaps = [
         tuple(s.items[k] for k in own if s.items[k].cut and not s.items[k].filled)
-        for s, own in zip(scenes, lone, strict=True)
+        for s, own in zip(scenes, unmatched, strict=True)
     ]
-    apart = _apart(scenes, lone)
+    apart = _apart(scenes, unmatched)
     sides = (
-        Side(scenes[0], anchors[0], End.SOURCE, gaps[1], not lone[1], apart),
-        Side(scenes[1], anchors[1], End.TARGET, gaps[0], not lone[0], apart),
+        Side(scenes[0], anchors[0], End.SOURCE, gaps[1], not unmatched[1], apart),
+        Side(scenes[1], anchors[1], End.TARGET, gaps[0], not unmatched[0], apart),
     )
-    first, second = (_goings(s, own, change) for s, own in zip(sides, lone, strict=True))
+    first, second = (_goings(s, own, change) for s, own in zip(sides, unmatched, strict=True))
     timed_gaps(sides[0], sides[1], first, second)
     timed_gaps(sides[1], sides[0], second, first)
     return first, second
 
 
-def _apart(scenes: tuple[Scene, Scene], lone: tuple[Sequence[int], Sequence[int]]) -> bool:
+def _apart(scenes: tuple[Scene, Scene], unmatched: tuple[Sequence[int], Sequence[int]]) -> bool:
     """Whether what goes is nowhere near what comes."""
     import shapely
 
     drawn = [
         shapely.union_all([s.items[k].enclosed for k in own if not s.sheets[k]])
-        for s, own in zip(scenes, lone, strict=True)
+        for s, own in zip(scenes, unmatched, strict=True)
     ]
     scale = (scenes[0].scale + scenes[1].scale) / 2
     return bool(shapely.distance(*drawn) > APART * scale)
 
 
-def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> dict[int, Going]:
+def _goings(side: Side, unmatched: Sequence[int], change: Change | None = None) -> dict[int, Going]:
     found: dict[int, Going] = {}
     clustered = []
-    for k in lone:
+    for k in unmatched:
         alone = _by_itself(k, side)
         if alone is None:
             clustered.append(k)
@@ -139,7 +139,7 @@ def _goings(side: Side, lone: Sequence[int], change: Change | None = None) -> di
             together = {k: _later(going, side.end) for k, going in together.items()}
         found |= together
     if change is not None:
-        for k in lone:
+        for k in unmatched:
             if not side.scene.sheets[k]:
                 found[k] = _asked(change, found[k], k, side)
     return found

@@ -25,7 +25,7 @@ OFF = 0.75
 #: Latest time at which a ring begins to come. Later, and it snaps.
 LATEST = 0.62
 
-#: Share of a ring's length at which it is first seen. With none it is a speck first.
+#: Share of a ring's length at which it is first seen. With none it is a dot first.
 STUB = 0.08
 
 #: Times at which what is inside is looked at.

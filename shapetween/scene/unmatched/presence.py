@@ -29,7 +29,7 @@ NEAR = 0.02
 #: of lines are seen; at 1, round caps vanish at once.
 LAST = 0.96
 
-#: Powers of time by which parts shrink and lines are retracted. At 1 what comes is a speck too
+#: Powers of time by which parts shrink and lines are retracted. At 1 what comes is a dot too
 #: long; much larger, and it snaps into place.
 SHRINKS, RETRACTS = 2.4, 2.0
 
@@ -38,7 +38,7 @@ SHRINKS, RETRACTS = 2.4, 2.0
 HEAVY = 0.5
 
 #: Least and greatest growth of what carries a part along that the part takes up. Farther, and what
-#: leaves a thing that itself collapses would be a speck, or as large as the drawing.
+#: leaves a thing that itself collapses would be a dot, or as large as the drawing.
 GROWTH = (0.3, 3.0)
 
 #: Curves of a part past which what it carries follows it at even times, so many, by so many places
@@ -159,7 +159,7 @@ class Leaving:
     thins : float
         Power of its size by which its stroke thins, wherever it is; 0 where only blots do.
     least : float
-        Share of its size or length at which it is first or last seen: not as a speck.
+        Share of its size or length at which it is first or last seen: not as a dot.
     steady : bool
         Whether it goes evenly; else ever faster, and what comes does ever slower.
     """

@@ -74,7 +74,7 @@ class Subpath:
     Attributes
     ----------
     curves : (N, 4, 2) float64
-        N is 0 when a lone point is closed.
+        N is 0 when a single point is closed.
     start : (2,) float64
     closed : bool
         Whether a closepath ends it. The line that it draws to the start is not among the curves.
