@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from shapetween.base.arrays import Floats
+from shapetween.base.errors import OptionError
 from shapetween.timing import windows
 from shapetween.timing.easing import easing_function
 from shapetween.timing.fitted import fitted_keyframes
@@ -17,6 +18,7 @@ from shapetween.timing.keyframes import KEYFRAME_TOLERANCE, keyframes
 from shapetween.timing.schedule import Schedule
 from shapetween.timing.springs import spring
 from shapetween.timing.sums import EasingSum, sum_of_easings
+from shapetween.timing.timeline import Timeline
 from shapetween.timing.windows import turning_times
 from tests.baseline import assert_known
 
@@ -154,7 +156,9 @@ def test_when_samples_are_is_known() -> None:
         finer, kept = schedule.finer()
         cornered, own = finer.with_corners((0.2, 0.2131, 0.7))
         for each in (schedule, finer, cornered, schedule.strided(4)):
-            figures += [float(len(each.clock)), float(each.clock.sum()), float(each.time.sum())]
+            order = np.arange(len(each.clock)) % 7
+            figures += [float(len(each.clock)), float(order @ each.clock), float(order @ each.time)]
+            figures.append(float(np.diff(each.clock).min() * 1e3))
         figures += [float(kept.sum()), float(own.sum())]
     assert_known("timing", "samples", figures)
 
@@ -174,3 +178,45 @@ def test_easings_to_choose_among_are_known() -> None:
         easings, shares = windows.library(clock, turns)
         figures += [float(len(easings)), float(shares.sum())]
     assert_known("timing", "library", figures)
+
+
+def test_corners_seen_from_afar_are_known() -> None:
+    """How sharp a corner is seen among others, and how far what leaps goes."""
+    clock = SCHEDULE.clock
+    found = []
+    for share in np.geomspace(0.03, 1.0, 24):
+        both = np.clip(clock - 0.3, 0, None) + share * np.clip(clock - 0.7, 0, None)
+        points = np.stack([900 * both, 20 * clock], axis=-1)[:, None]
+        found.append(float(len(turning_times(points, clock, TOLERANCE))))
+    for way in np.geomspace(0.1, 100.0, 24):
+        points = np.stack([way * np.clip(clock - 0.4, 0, 0.3), 90 * clock], axis=-1)[:, None]
+        found.append(float(len(turning_times(points, clock, TOLERANCE))))
+    assert_known("timing", "corners from afar", found)
+
+
+def test_how_short_a_way_may_be_is_known() -> None:
+    refused = 0
+    for seconds in np.geomspace(1e-4, 1e-2, 60):
+        try:
+            Timeline((float(seconds),), "once", 0.0, False)
+        except OptionError:
+            refused += 1
+    assert_known("timing", "too short", [float(refused)])
+
+
+def test_how_late_what_is_quick_may_be_is_known() -> None:
+    """Points that run at many speeds, and come or go meanwhile."""
+    figures: list[float] = []
+    schedule = SCHEDULE.with_corners((0.25, 0.5))[0]
+    for speed in np.geomspace(500.0, 60_000.0, 12):
+        ways = _ramp(schedule.clock, 0.25, 0.5)[:, None, None] * np.array([[1.0, 0.3], [0.5, 1.0]])
+        sway = np.sin(7 * schedule.clock + speed)[:, None, None] * np.array(
+            [[0.5, 0.1], [0.2, 0.4]]
+        )
+        points = ways * speed / 4 + sway * TOLERANCE * 4
+        turns = (0.25, 0.5)
+        found = sum_of_easings(
+            points, schedule.clock, STEP, TOLERANCE, np.ones(2), lambda: 40, turns, late=True
+        )
+        figures += of_sum(found)
+    assert_known("timing", "late", figures)
