@@ -101,7 +101,7 @@ def test_how_large_a_mesh_is_smoothed_is_known() -> None:
         points = np.stack([places + 0.3 * np.sin(7.0 * places[:, ::-1])] * 2)
         corner = np.arange(rows * width).reshape(rows, width)[:-1, :-1].ravel()
         quads = corner[:, None] + [0, 1, width + 1, width]
-        smooth.append(smoothed(points, 2, [quads]) is not points)
+        smooth.append(smoothed(points, 2, [quads.astype(np.intp)]) is not points)
     assert_known("mesh", "smoothed", [sum(smooth)])
 
 
@@ -120,10 +120,10 @@ def test_how_far_nodes_slide_is_known() -> None:
         ends = np.flatnonzero(corners)
         side = int(ends[1] - ends[0])
         for first, second in ((0.05, 0.05), (0.3, 0.1), (0.45, 0.4)):
-            rung = [ends[0] + int(first * side), ends[2] + int(second * side)]
+            rung = [int(ends[0]) + int(first * side), int(ends[2]) + int(second * side)]
             nodes = np.sort(np.append(ends, rung))
             quads = np.array([[0, 1, 4, 5], [1, 2, 3, 4]])
             triangles = np.zeros((0, 3), np.intp)
-            moved = slid(Contours.of(points), 0.5 * corners, nodes, quads, triangles)
+            moved = slid(Contours.of(points), np.where(corners, 0.5, 0.0), nodes, quads, triangles)
             figures += [float(moved.sum()), float((moved * np.arange(6)).sum())]
     assert_known("mesh", "slid", figures)
