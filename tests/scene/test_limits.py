@@ -105,10 +105,10 @@ def test_what_is_the_same_in_both_drawings_is_known() -> None:
 
 
 def test_which_cards_stay_is_known() -> None:
-    card, thing = box(5, 5, 90, 90), box(30, 30, 30, 30)
+    card, thing = box(30, 30, 40, 40), box(42, 42, 16, 16)
     ways, sizes = 0.0, 0.0
     for step in np.geomspace(1e-2, 1.0, 60):
-        ways += len(backdrops(scene(card, thing), scene(card + 25 * step, thing), paired(2)))
-        grown = box(5, 5, 90 * (1 + 0.8 * step), 90 * (1 + 0.8 * step)) - 36 * step
+        ways += len(backdrops(scene(card, thing), scene(card + 10 * step, thing), paired(2)))
+        grown = box(30, 30, 40 * (1 + step), 40 * (1 + step)) - 20 * step
         sizes += len(backdrops(scene(card, thing), scene(grown, thing), paired(2)))
     assert_known("scene", "cards", [ways, sizes])
