@@ -177,3 +177,16 @@ def test_a_bar_that_comes_stays_level_in_a_bubble_whose_tail_changes_sides() -> 
     (track,) = hole_tracks(first, second, outer)
     for curves in track.curves(np.array([0.6, 0.8, 1.0])):
         assert np.unique(np.round(curves[:, 0, 1], 6)).size == 2
+
+
+def test_a_dot_is_not_one_of_two_eyes() -> None:
+    """Of dots above each other none goes aside to be an eye; a level row of dots may."""
+    eye = np.array([(-9, -9), (9, -2), (9, 2), (-9, 9), (-3, 0)], dtype=float)
+    eyes = [
+        ring([(x + s * float(a), 40 + float(b)) for a, b in eye[::s]])
+        for x, s in ((30, 1), (70, -1))
+    ]
+    column = becomes(plate(disc(50, 30, 6), disc(50, 55, 6)), plate(*eyes))
+    assert ((50.0, 30.0), (30.0, 40.0)) not in column
+    assert len(column) == 4
+    assert len(becomes(plate(disc(36, 40, 6), disc(64, 40, 6)), plate(*eyes))) == 2

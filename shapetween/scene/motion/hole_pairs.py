@@ -50,6 +50,10 @@ TURNS = 0.5
 #: Size, as a logarithm, and form, as a share in common, within which holes are of one set.
 SET_SIZE, SET_FORM = 0.2, 0.75
 
+#: Difference of heights, as a share of their size, up to which two holes are at one height. Larger,
+#: and steps are eyes; at 0 rounding makes eyes of two heights.
+LEVEL = 0.25
+
 #: Ratio of the distances of a hole's partner and of another hole that is like the partner, from
 #: which on it is the one of the two. Larger, and one pip of a die becomes any of four.
 PLAINLY = 0.75
@@ -99,7 +103,7 @@ def paired_holes(
     sides = (first, second)
     sizes = [np.array([hole.size for hole in side]) for side in sides]
     growth = np.log(np.maximum(sizes[0][:, None], 1e-12) / np.maximum(sizes[1], 1e-12))
-    fine = allowed & _of_one_form(first, second)
+    fine = allowed & _of_one_form(first, second) & ~_one_of_two(first, second)
     worst = float(apart.max() + SIZE * np.abs(growth).max()) + 1.0
     cost: Floats = apart + SIZE * np.abs(growth)
     cost = np.where(fine, cost, worst * (len(first) + len(second)))
@@ -168,6 +172,28 @@ def _of_one_form(first: Sequence[Item], second: Sequence[Item]) -> Mask:
                 together[i, j] = _are_even(first[i], second[j])
         alike |= together
     return np.asarray(alike)
+
+
+def _one_of_two(first: Sequence[Item], second: Sequence[Item]) -> Mask:
+    """Which pairs are of a hole by itself and one of two of another form, (N, M).
+
+    One of three dots above each other is no eye.
+    """
+    boxes = [np.array([_is_box(hole) for hole in side]) for side in (first, second)]
+    twins = [_have_twins(side) for side in (first, second)]
+    return np.asarray((boxes[0][:, None] != boxes[1]) & (twins[0][:, None] != twins[1]))
+
+
+def _have_twins(holes: Sequence[Item]) -> Mask:
+    """Which holes have a mirror image at their height, (N,)."""
+    drawn = pictures(holes)
+    sizes = np.maximum([hole.size for hole in holes], 1e-12)
+    heights = np.array([hole.centre[1] for hole in holes])
+    twins = in_common(np.flip(drawn, axis=2), drawn) > SET_FORM
+    twins &= np.abs(np.log(sizes[:, None] / sizes)) < SET_SIZE
+    twins &= np.abs(heights[:, None] - heights) < LEVEL * sizes
+    np.fill_diagonal(twins, False)
+    return np.asarray(twins.any(axis=1))
 
 
 def _is_box(hole: Item) -> bool:
