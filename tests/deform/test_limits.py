@@ -1,15 +1,21 @@
 """Where the limits of deformations lie: each case is looked at over a range across its limit."""
 
 import tracemalloc
+from collections.abc import Iterator
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from shapetween.base.arrays import Floats, Mask, Points
 from shapetween.base.ends import End
+from shapetween.deform import mesh as meshing
 from shapetween.deform.check import LOOKED, crossing_frames
+from shapetween.deform.keyed import KeyedMotion
 from shapetween.deform.locate import MeshBinder, PointLocator
 from shapetween.deform.mesh import _is_base, _thin, ambient_mesh
 from shapetween.deform.pose import affine_path
+from shapetween.deform.schedule import solve
 from shapetween.geometry.bezier import line_curves
 from tests.baseline import assert_known
 from tests.deform.shapes import blob
@@ -109,3 +115,45 @@ def test_the_nearest_triangles_hold_what_is_inside(seed: int) -> None:
     locator.locate(0.7 * inside + 0.3 * mesh.source[mesh.triangles[:, 0]])
     figures = [float(sum(rows * columns for rows, columns in calls))]
     assert_known("deform", f"looked through {seed}", figures)
+
+
+def test_what_share_of_inverted_triangles_is_tolerated_is_known(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of layouts of a thousand triangles, of which ever more stay inverted."""
+    whole = SimpleNamespace(triangles=range(1000))
+
+    class Attempt:
+        layout, nodes, swapped = whole, None, False
+
+        def __init__(self, inverted: int) -> None:
+            self.inverted = inverted
+
+        def refined(self) -> "Attempt":
+            return self
+
+    patient = 0
+    for inverted in range(5, 95, 3):
+        first = Attempt(inverted)
+        made = SimpleNamespace(at=lambda *_, first=first, **__: first)
+        monkeypatch.setattr(meshing, "_Attempt", made)
+        monkeypatch.setattr(meshing, "Layout", SimpleNamespace(around=lambda *_: whole))
+        shapes = (np.zeros((4, 2)), np.ones((4, 2)))
+        patient += len(list(meshing._attempts((shapes, shapes), [], True))) > 4
+    assert_known("deform", "patience", [patient])
+
+
+def test_at_how_many_times_motions_are_solved_and_repaired_is_known() -> None:
+    """The first look finds a crossing, the second one none."""
+    mesh = ambient_mesh(blob(5, 20), blob(6, 20), [np.arange(20)])
+    counts = []
+    for answers in ([True], [False, True]):
+        looks = iter(answers)
+
+        def look(t: Floats, _: Points, looks: Iterator[bool] = looks) -> Mask:
+            return np.full(len(t), next(looks))
+
+        solved = solve(mesh, look)
+        assert isinstance(solved.motion, KeyedMotion)
+        counts.append(float(len(solved.motion.keys)))
+    assert_known("deform", "times", counts)
