@@ -253,7 +253,7 @@ def test_how_many_places_a_copy_is_looked_at_is_known(monkeypatch: pytest.Monkey
         return points(self, places)
 
     monkeypatch.setattr(registering._Whitened, "points", counted)
-    for one in (polygon(star(8)), disc()):
+    for one in (polygon(star(8)), rounded(star(5, 6))):
         looked.append(0)
         register(one, one.transformed(rotation(0.3)))
     assert_known("match", "places looked at", looked)
