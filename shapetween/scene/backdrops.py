@@ -8,7 +8,7 @@ from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene
 from shapetween.scene.sets import sets_of
 
-__all__ = ["backdrops"]
+__all__ = ["backdrops", "one_is_a_face"]
 
 #: Greatest way, as a share of the drawing, and logarithm of sizes, of what stays. Larger, and a
 #: panel that moves is taken for a card; smaller, and cards drawn anew are not known.
@@ -51,6 +51,16 @@ def _is_below_all(scene: Scene, card: int) -> bool:
     whole = float(scene.sizes[others].sum())
     lying = float(scene.sizes[others & scene.ancestors[:, card]].sum())
     return whole > 0 and lying > COVERED * whole
+
+
+def one_is_a_face(a: Scene, b: Scene, first: int, second: int) -> bool:
+    """Whether one of two things has a face on it, and there is none in all the other drawing."""
+    ends = (a, first), (b, second)
+    kinds = [features_of(scene, sets_of(scene)).kinds & FACIAL for scene, _ in ends]
+    on_it = [
+        bool(own[scene.ancestors[:, k]].any()) for own, (scene, k) in zip(kinds, ends, strict=True)
+    ]
+    return on_it[0] != on_it[1] and not all(own.any() for own in kinds)
 
 
 def _is_face(scene: Scene, head: int) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 
 from shapetween.base.arrays import Floats, Index, Mask
 from shapetween.scene.assign import Roles
-from shapetween.scene.backdrops import backdrops
+from shapetween.scene.backdrops import backdrops, one_is_a_face
 from shapetween.scene.disturbance import holes_apart, intricacy, recoloured
 from shapetween.scene.doubtful import nothing_corresponds, share_of_hull
 from shapetween.scene.forms import RoundedBox, Segment
@@ -141,12 +141,15 @@ def too_different(
         *of_one_kind(a.items[alone[0]], b.items[alone[1]])
     ):
         return True
+    changes = recoloured(a, b, firsts, seconds)
+    if changes and alone is None and one_is_a_face(a, b, *_main_pair(a, b, firsts, seconds)[:2]):
+        return True  # half-way its features would be on a thing of mud
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)
     if waves is not None:
         against += WAVY * max(waves.values(), default=0.0)
     lines = in_lines(a, b)
-    plain = EXCHANGED_COLOURED if recoloured(a, b, firsts, seconds) else EXCHANGED
+    plain = EXCHANGED_COLOURED if changes else EXCHANGED
     least = most or (EXCHANGED_LINES if lines else plain)
     if alone is not None:
         forms = a.forms[alone[0]], b.forms[alone[1]]

@@ -169,6 +169,18 @@ def test_one_mark_on_a_card_becomes_another(tmp_path: Path) -> None:
     assert not is_exchanged(made(tmp_path, CARD.format("#dde") + mark, CARD.format("#dde") + other))
 
 
+@pytest.mark.parametrize(("paint", "exchanged"), [("#235", True), ("#fb0", False)])
+def test_a_face_is_exchanged_for_what_is_none_in_another_colour(
+    tmp_path: Path, paint: str, exchanged: bool
+) -> None:
+    """Half-way its mouth would be on a bomb of mud; in its own colours it may move."""
+    bomb = (
+        f'<circle cx="50" cy="50" r="40" fill="{paint}"/>'
+        '<circle cx="30" cy="32" r="6" fill="#fff"/><path d="M70 12l12 -8l6 10z" fill="#888"/>'
+    )
+    assert is_exchanged(made(tmp_path, FACE, bomb)) == exchanged
+
+
 def test_a_face_is_no_card(tmp_path: Path) -> None:
     eyes = '<circle cx="35" cy="40" r="5"/><circle cx="65" cy="40" r="5"/>'
     head = '<circle cx="50" cy="50" r="40" fill="#fc0"/>'
