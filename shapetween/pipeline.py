@@ -32,11 +32,10 @@ from shapetween.scene.joining import joined_lines
 from shapetween.scene.kept.drawings import kept_drawings
 from shapetween.scene.limbs import with_limbs
 from shapetween.scene.limits import limits_of_items
+from shapetween.scene.motion.anchors import anchors
 from shapetween.scene.motion.choose import SAME, corners_suffice
-from shapetween.scene.motion.knots import anchored_knots
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.pierced import opens_well, pierced, pierced_apart, suits_lines
-from shapetween.scene.places import Places
 from shapetween.scene.relations import perceive
 from shapetween.scene.strokes.outlined import as_lines
 from shapetween.scene.swelling import swells
@@ -373,8 +372,7 @@ def _by_engine(one: Item, other: Item, settings: FillSettings) -> bool:
         return False
     if turns_over(one, other) or mouth_track(one, other) is not None:
         return False
-    places = [Places(item.outer.clockwise()) for item in (one, other)]
-    if anchored_knots(places[0], places[1], SAME * (one.extent + other.extent) / 2) is not None:
+    if anchors(one, other, SAME * (one.extent + other.extent) / 2) is not None:
         return False
     return not corners_suffice(one, other)
 

@@ -85,7 +85,7 @@ def apart(first: Correspondence, second: Correspondence) -> float:
     return _gap(first.u, first.v, follow(second.u, second.v, first.u))
 
 
-def agrees(u: Floats, v: Floats, found: Correspondence) -> bool:
+def agrees(u: Floats, v: Floats, found: Correspondence, most: float = DISTINCT) -> bool:
     """Whether two closed outlines' knots are no other matching than a given one.
 
     Parameters
@@ -93,6 +93,8 @@ def agrees(u: Floats, v: Floats, found: Correspondence) -> bool:
     u, v : (K,) float64
         Shares of the lengths over one turn, neither ever decreasing.
     found : Correspondence
+    most : float
+        Mean distance, as a share of the length, up to which they are one.
     """
     knots = (u - u[0] + v - v[0]) / 2
     even = np.arange(PLACES) / PLACES
@@ -100,7 +102,7 @@ def agrees(u: Floats, v: Floats, found: Correspondence) -> bool:
     # Along the nearer outline: where an arc of one comes from a point the other stands still.
     across, along = b - follow(found.u, found.v, a), a - follow(found.v, found.u, b)
     gaps = np.minimum(np.abs(across - np.round(across)), np.abs(along - np.round(along)))
-    return bool(gaps.mean() <= DISTINCT)
+    return bool(gaps.mean() <= most)
 
 
 def near(first: Candidate, second: Candidate) -> bool:

@@ -43,6 +43,9 @@ class Correspondence:
         Other matchings worth a try, best first.
     doubt : float
         What `confidence` is the word for: 0 for an exact affine map, 2 for a guess.
+    even : bool
+        Whether it lays an axis of the one outline onto an axis of the other, or onto the line about
+        which the other is nearly even.
     lopsided : bool
         Whether it lays the axis of an even outline onto the line about which the other one is
         nearly even.
@@ -57,6 +60,7 @@ class Correspondence:
     affine: Affine | None = None
     others: tuple[Correspondence, ...] = field(default=())
     doubt: float = 0.0
+    even: bool = False
     lopsided: bool = False
 
     def __post_init__(self) -> None:
@@ -89,5 +93,6 @@ class Correspondence:
             affine=affine,
             others=tuple(other.inverse() for other in self.others),
             doubt=self.doubt,
+            even=self.even,
             lopsided=self.lopsided,
         )

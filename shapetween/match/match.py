@@ -326,8 +326,8 @@ class _Comparison:
         """The candidate in the outlines' own fractions."""
         u, v = self.a.samples.start + found.a, self.b.samples.start + found.b
         u[-1], v[-1] = u[0] + 1, v[0] + 1
-        lopsided = any(half is not None for half in found.halves)
-        return Correspondence(u, v, cost, np.inf, "unsure", found.turn, lopsided=lopsided)
+        kept = found.ends is not None, any(half is not None for half in found.halves)
+        return Correspondence(u, v, cost, np.inf, "unsure", found.turn, None, (), 0.0, *kept)
 
     def _refined(self, candidate: Candidate, rewards: Floats) -> Candidate:
         """The matching found again with more samples, near where it was.

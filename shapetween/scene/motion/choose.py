@@ -20,10 +20,11 @@ from shapetween.outline.matching import upright_of
 from shapetween.scene.doubtful import only_turns, own_matching
 from shapetween.scene.forms import Dot, Form, OpenLine, RoundedBox, Segment
 from shapetween.scene.items import Item
+from shapetween.scene.motion.anchors import anchors
 from shapetween.scene.motion.bend_knots import along_knots, ring_knots
 from shapetween.scene.motion.boxes import HALF_TIE, box_blend
 from shapetween.scene.motion.holes import hole_tracks
-from shapetween.scene.motion.knots import anchored_knots, graph_knots, kinks_of, without_points
+from shapetween.scene.motion.knots import graph_knots, kinks_of, without_points
 from shapetween.scene.motion.mirrored import even_knots, mirrored_knots
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.motion.opening import closing_pieces, opened_pieces
@@ -156,8 +157,7 @@ def _closed(
     first, second = ends.first, ends.second
     places = Places(first.outer.clockwise()), Places(second.outer.clockwise())
     one, other = ends.forms
-    opening = mouth_track(first, second)
-    if opening is not None:
+    if (opening := mouth_track(first, second)) is not None:
         return (opening,), ()
     if isinstance(one, RoundedBox) and isinstance(other, RoundedBox):
         outer = box_blend(one, other, *places)
@@ -165,7 +165,7 @@ def _closed(
     turned = turned_ring(*places)
     if turned is not None:
         return (turned, *hole_tracks(first, second, turned)), ()
-    anchored = anchored_knots(*places, SAME * ends.scale)
+    anchored = anchors(first, second, SAME * ends.scale)
     if anchored is not None:
         found = _blend(cut_alike(*places, *anchored), first, second, 0.0)
         if _sound(found):
