@@ -27,7 +27,7 @@ GROUND_WAY, GROUND_SIZES = 0.12, 2.0
 GROUND_COLOUR = 0.15
 
 #: When the first drawing goes, and when the second comes: it shrinks to nothing first, before half
-#: of the time, so that no frame half-way is blank. Of 14 pairs of icons shown to three fresh judges
+#: of the time, so that no frame half-way is blank. Of 14 pairs of icons that three saw blindly
 #: two found all ready so, one 13. Overlapping, both are a lump in the middle; where one
 #: leaps at some size to be the other, a cut is seen; apart, nothing is seen for a while.
 GOES, COMES = (0.0, 0.44), (0.44, 1.0)

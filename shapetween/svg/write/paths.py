@@ -20,8 +20,8 @@ __all__ = ["Grid", "PathForm", "on_grid", "straight_curves"]
 Grid = NDArray[np.int64]
 """Coordinates in steps of the last decimal that is written."""
 
-#: Places of curves, each at each time, that are looked at together. More take memory, some twenty
-#: numbers each; with fewer most of the time goes to calls.
+#: Places of curves, each at each time, that are looked at together, but that both ends of all are.
+#: More take memory, some twenty numbers each; with fewer most of the time goes to calls.
 AT_ONCE = 100_000
 
 _NONE = -1
