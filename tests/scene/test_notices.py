@@ -10,7 +10,7 @@ from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
 from shapetween.scene import attachments, borders, features, likeness, limbs, movement
 from shapetween.scene.cuts import lines
-from shapetween.scene.kept import areas, drawings
+from shapetween.scene.kept import coinciding, drawings
 from shapetween.scene.motion import choose
 from shapetween.scene.strokes import outlined
 from shapetween.scene.unmatched import part
@@ -43,7 +43,7 @@ def test_icons_have_nothing_to_tell(tmp_path: Path) -> None:
 def test_areas_too_many_to_be_kept_in_part(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limit: str
 ) -> None:
-    monkeypatch.setattr(areas, limit, 0)
+    monkeypatch.setattr(coinciding, limit, 0)
     notice = told(tmp_path, SOLID, SOLID + '<path d="M22 22h1v1h-1z"/>')["too-many-parts"]
     assert notice.severity == "note"
     assert "stays" in notice.message

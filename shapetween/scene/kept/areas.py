@@ -6,7 +6,6 @@ which something is done. So the outlines are not matched as wholes.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
 
 import numpy as np
 
@@ -19,8 +18,9 @@ from shapetween.scene.asked import Group
 from shapetween.scene.items import Item
 from shapetween.scene.kept.appearing import InTurn
 from shapetween.scene.kept.badges import Grown, badge_tracks, badges_of, blunt_badges, meets
-from shapetween.scene.kept.bars import Bar, bar_of, slot_of
+from shapetween.scene.kept.bars import Bar, slot_of
 from shapetween.scene.kept.changes import tracks_of_pieces
+from shapetween.scene.kept.coinciding import COLOUR, REACH, Coinciding, Family, Looked, Sides
 from shapetween.scene.kept.holes import (
     holes_in_turn,
     loose_holes,
@@ -29,38 +29,14 @@ from shapetween.scene.kept.holes import (
     unmatched_hole_track,
 )
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
-from shapetween.scene.kept.shared_arcs import Snapped, snapped
 
-__all__ = ["COLOUR", "MOST_AREAS", "REACH", "Kept", "KeptArea", "kept_areas", "scale_of"]
-
-#: Distance within which outlines are one, as a share of the drawing: what rounding to one decimal
-#: of an icon of 24 units moves. Larger, and thin walls count as drawn twice.
-REACH = 2e-3
-
-#: Sum of differences of colours that are one.
-COLOUR = 0.05
-
-#: Least share of the smaller one that two areas have in common, to be looked at together.
-COMMON = 0.1
-
-#: Least share of its outline that an area has in common with the other drawing's to be kept.
-BODY = 0.08
-
-#: Least share of all outlines that is common, of either drawing.
-SHARED = 0.5
+__all__ = ["Kept", "KeptArea", "kept_areas"]
 
 #: Least share of the outlines of both that is common, and most area of holes that open or close
 #: alone, for what differs to come and go as parts although edges seem to move. A smaller share, and
 #: sides of a box that grows are wiped; larger, and an arrow in a cloud tears to point the other
 #: way. With more holes a table is black before it is another one; fewer, and the arrow tears.
 STEADY, OPENED = 0.55, 0.2
-
-#: Most areas of a drawing, and most curves of those of one colour, that are looked at; more take
-#: longer than it is worth.
-MOST_AREAS, MOST_CURVES = 40, 300
-
-Family: TypeAlias = tuple[list[int], list[int]]
-"""Items of both drawings."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,29 +73,22 @@ class Kept:
 
 
 def kept_areas(
-    first: Sequence[Item],
-    second: Sequence[Item],
-    groups: Sequence[Group] = (),
-    *,
-    parts: bool = False,
+    coinciding: Coinciding, groups: Sequence[Group] = (), *, parts: bool = False
 ) -> Kept:
     """Find areas of which most stays where it is.
 
     Parameters
     ----------
-    first, second : sequence of Item
-        In paint order and one frame.
+    coinciding : Coinciding
+        What `coinciding_areas` finds of two drawings.
     groups : sequence of Group
         Shapes that become each other: they are kept together or not at all.
     parts : bool
         Whether, where most is common, all that differs comes and goes as parts.
     """
-    sides = (first, second)
-    scale = scale_of(sides)
+    sides, scale, looked = coinciding.sides, coinciding.scale, coinciding.looked
     areas: list[KeptArea] = []
     now: tuple[dict[int, Item | None], dict[int, Item | None]] = ({}, {})
-    families = _families(sides)
-    looked = [found for f in families if (found := _look(sides, f, scale)) is not None]
     bars = [bar for found in looked for bar in found.bars]
     for found in looked:
         if _divides(found, REACH * scale):
@@ -149,32 +118,12 @@ def kept_areas(
         tuple(i for i in (changed.get(k, item) for k, item in enumerate(side)) if i is not None)
         for changed, side in zip(now, sides, strict=True)
     ]
-    return Kept(left[0], left[1], tuple(areas), _limits(sides, families))
-
-
-def _limits(
-    sides: tuple[Sequence[Item], Sequence[Item]], families: Sequence[Family]
-) -> tuple[Notice, ...]:
-    """What to tell where there is too much to look for what stays of it."""
-    most = max(sum(item.plain for item in side) for side in sides)
-    if most > MOST_AREAS:
-        text = f"of {most} areas, more than {MOST_AREAS}, what stays in part is not looked for"
-    elif any(_curves(sides, family) > MOST_CURVES for family in families):
-        text = f"of areas of more than {MOST_CURVES} curves what stays in part is not looked for"
-    else:
-        return ()
-    return (Notice("too-many-parts", text, instead="each moves as a whole", severity="note"),)
-
-
-def _curves(sides: tuple[Sequence[Item], Sequence[Item]], family: Family) -> int:
-    """How many curves the items of a family have."""
-    items = (side[k] for side, own in zip(sides, family, strict=True) for k in own)
-    return sum(len(ring.curves) for item in items for ring in item.rings)
+    return Kept(left[0], left[1], tuple(areas), coinciding.notices)
 
 
 def _agrees(
     groups: Sequence[Group],
-    sides: tuple[Sequence[Item], Sequence[Item]],
+    sides: Sides,
     members: Family,
     largest: Sequence[int],
 ) -> bool:
@@ -188,100 +137,7 @@ def _agrees(
     )
 
 
-def scale_of(sides: tuple[Sequence[Item], Sequence[Item]]) -> float:
-    """Diagonal of all that is drawn."""
-    boxes = np.array([item.box for side in sides for item in side])
-    return float(np.hypot(*(boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0))))
-
-
-def _families(sides: tuple[Sequence[Item], Sequence[Item]]) -> list[Family]:
-    """Plain areas of one colour that lie on each other, one drawing's on the other's."""
-    import shapely
-
-    plain = [[k for k, item in enumerate(side) if item.plain] for side in sides]
-    if not plain[0] or not plain[1] or max(map(len, plain)) > MOST_AREAS:
-        return []
-    drawn = [np.array([s[k].drawn for k in own]) for s, own in zip(sides, plain, strict=True)]
-    one, other = shapely.STRtree(drawn[1]).query(drawn[0], predicate="intersects")
-    both = shapely.area(shapely.intersection(drawn[0][one], drawn[1][other]))
-    least = np.minimum(shapely.area(drawn[0])[one], shapely.area(drawn[1])[other])
-    colours = [np.array([s[k].colour for k in own]) for s, own in zip(sides, plain, strict=True)]
-    alike = np.abs(colours[0][one] - colours[1][other]).sum(axis=-1) < COLOUR
-    links = [
-        (int(i), int(j))
-        for i, j, fine in zip(one, other, alike & (both > COMMON * least), strict=True)
-        if fine
-    ]
-    families: list[tuple[set[int], set[int]]] = []
-    for i, j in links:
-        joined = [f for f in families if i in f[0] or j in f[1]]
-        families = [f for f in families if f not in joined]
-        whole = {i}.union(*(f[0] for f in joined)), {j}.union(*(f[1] for f in joined))
-        families.append(whole)
-    return [
-        (sorted(plain[0][i] for i in f[0]), sorted(plain[1][j] for j in f[1])) for f in families
-    ]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Looked:
-    """Items of both drawings that largely coincide.
-
-    Attributes
-    ----------
-    members : (list of int, list of int)
-    items : (list of Item, list of Item)
-    snapped : Snapped
-        Their rings.
-    bars : tuple of Bar
-        Those among them of which the other drawing has nothing.
-    """
-
-    members: Family
-    items: tuple[list[Item], list[Item]]
-    snapped: Snapped
-    bars: tuple[Bar, ...]
-
-
-def _look(
-    sides: tuple[Sequence[Item], Sequence[Item]], family: Family, scale: float
-) -> _Looked | None:
-    """Which items of a family are kept, with what comes and goes of them."""
-    items = [[sides[k][n] for n in family[k]] for k in (0, 1)]
-    if _curves(sides, family) > MOST_CURVES:
-        return None
-    reach = REACH * scale
-    found = snapped(drawn_rings(items[0]), drawn_rings(items[1]), reach)
-    bars: list[Bar] = []
-    members: tuple[list[int], list[int]] = ([], [])
-    kept: tuple[list[Item], list[Item]] = ([], [])
-    common, length = [0.0, 0.0], [0.0, 0.0]
-    for side in (0, 1):
-        starts = np.cumsum([0, *(len(item.rings) for item in items[side])])[:-1]
-        shared = np.add.reduceat(found.shared[side], starts)
-        around = np.add.reduceat(found.lengths[side], starts)
-        for k, (n, item) in enumerate(zip(family[side], items[side], strict=True)):
-            if shared[k] >= BODY * around[k]:
-                common[side] += float(shared[k])
-                length[side] += float(around[k])
-            else:
-                bar = bar_of(item.enclosed, comes=side == 1)
-                if bar is None:
-                    continue
-                bars.append(bar)
-            members[side].append(n)
-            kept[side].append(item)
-    if not kept[0] or not kept[1] or _covered(sides, members):
-        return None
-    shares = [c / max(whole, 1e-300) for c, whole in zip(common, length, strict=True)]
-    if max(shares) < SHARED:
-        return None
-    if [len(side) for side in members] != [len(side) for side in family]:
-        found = snapped(drawn_rings(kept[0]), drawn_rings(kept[1]), reach)
-    return _Looked(members, kept, found, tuple(bars))
-
-
-def _divides(looked: _Looked, reach: float) -> bool:
+def _divides(looked: Looked, reach: float) -> bool:
     """Whether one area comes apart into several, or back, with nothing but gaps between them.
 
     It does so as a cell: nothing is clipped from between what then stands as if it always had. But
@@ -302,9 +158,7 @@ def _divides(looked: _Looked, reach: float) -> bool:
     return split_alike(whole, parts) is not None
 
 
-def _beside(
-    sides: tuple[Sequence[Item], Sequence[Item]], looked: Sequence[_Looked], own: _Looked
-) -> Family:
+def _beside(sides: Sides, looked: Sequence[Looked], own: Looked) -> Family:
     """Items of the colour of what is kept that are no part of it."""
     colour = own.items[0][0].colour
     first, second = (
@@ -321,10 +175,10 @@ def _beside(
 
 
 def _tracks(
-    looked: _Looked,
+    looked: Looked,
     bars: Sequence[Bar],
     beside: Family,
-    sides: tuple[Sequence[Item], Sequence[Item]],
+    sides: Sides,
     scale: float,
     *,
     parts: bool = False,
@@ -342,13 +196,13 @@ def _tracks(
     loose = [rings[0][k] for k in holes[0]], [rings[1][k - count] for k in holes[1]]
     pairs = matched_hole_pairs(*loose, solid, scale)
     paired = {holes[0][i] for i, _ in pairs} | {holes[1][j] for _, j in pairs}
-    lone_holes = [
+    unmatched_holes = [
         ring
         for own, side in zip(holes, loose, strict=True)
         for k, ring in zip(own, side, strict=True)
         if k not in paired
     ]
-    if parts and sum(abs(ring.area) for ring in lone_holes) > OPENED * solid[0].area:
+    if parts and sum(abs(ring.area) for ring in unmatched_holes) > OPENED * solid[0].area:
         return None
     moving = [matched_hole_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
     for side, k in holes_in_turn(holes, paired, chords.polylines, solid):
@@ -387,12 +241,3 @@ def _tracks(
         moved = (*moved, InTurn(grown, first=not comes))
         taken[comes].append(beside[comes][k])
     return (*moved, *moving), taken
-
-
-def _covered(sides: tuple[Sequence[Item], Sequence[Item]], members: Family) -> bool:
-    """Whether something else is painted between some items, so that they cannot be one."""
-    for side, own in zip(sides, members, strict=True):
-        between = [k for k in range(own[0], own[-1]) if k not in own]
-        if any(side[k].drawn.intersects(side[n].drawn) for k in between for n in own):
-            return True
-    return False

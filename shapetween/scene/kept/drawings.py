@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TypeAlias
 
 import numpy as np
 
@@ -13,13 +12,13 @@ from shapetween.geometry.bezier import curve_lengths, flatten
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import SAMPLES, Item, intersection_over_union
-from shapetween.scene.kept.areas import (
+from shapetween.scene.kept.areas import Kept, KeptArea, kept_areas
+from shapetween.scene.kept.coinciding import (
     COLOUR,
     MOST_AREAS,
     REACH,
-    Kept,
-    KeptArea,
-    kept_areas,
+    Sides,
+    coinciding_areas,
     scale_of,
 )
 from shapetween.scene.kept.inverted import inverted_tracks
@@ -27,8 +26,6 @@ from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.scene.motion.tracks import Frame, Framed
 
 __all__ = ["kept_drawings", "slide_between"]
-
-Sides: TypeAlias = tuple[Sequence[Item], Sequence[Item]]
 
 #: Share of the first outline that a slide takes onto the second one, for it to be seen. Smaller,
 #: and discs of one size slide together whatever else there is.
@@ -60,7 +57,8 @@ def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequenc
     inverted = None if groups else _as_one(sides, inverted_tracks, scale)
     if inverted is not None:
         return inverted
-    kept = kept_areas(first, second, groups)
+    coinciding = coinciding_areas(first, second)
+    kept = kept_areas(coinciding, groups)
     if groups or (kept.areas and _is_all(kept)):
         return kept
     crossed = _as_one(sides, crossed_tracks, scale)
@@ -69,7 +67,7 @@ def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequenc
     slid = None if kept.areas else _slid(sides, scale)
     if slid is not None:
         return slid
-    kept = kept_areas(first, second, parts=True)
+    kept = kept_areas(coinciding, parts=True)
     return kept if kept.areas else replace(kept, notices=(*kept.notices, *_limits(sides)))
 
 
@@ -141,7 +139,7 @@ def _slid(sides: Sides, scale: float) -> Kept | None:
         return None
     back = np.column_stack([np.eye(2), -way])
     moved = [item.transformed(back) for item in sides[1]]
-    kept = kept_areas(sides[0], moved)
+    kept = kept_areas(coinciding_areas(sides[0], moved))
     if not kept.areas or not _one_sided(kept):
         return None
     frame = Frame(np.stack([np.zeros(2), way]), 0.0, np.eye(2))
