@@ -25,12 +25,7 @@ def faces_other_way(a: Prepared, b: Prepared, found: Correspondence) -> bool:
     found : Correspondence
         Their best matching. If it turns them, that is what is meant.
     """
-    if found.affine is not None or found.turn != 0 or _even(a) or _even(b):
+    if found.affine is not None or found.turn != 0 or a.axes.present or b.axes.present:
         return False
     mirrored = prepare(a.samples.arcs.outline.transformed(FLIP).reversed())
     return upright_matching_cost(mirrored, b) < MIRRORED_RATIO * found.cost
-
-
-def _even(prepared: Prepared) -> bool:
-    """Whether it looks alike from both sides."""
-    return len(prepared.axes.ends) > 0 or prepared.axes.around is not None

@@ -7,8 +7,9 @@ is where its mirror image is.
 
 import numpy as np
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Complex, Floats
 from shapetween.geometry.circlemap import turn
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.match.candidate import Halves
 from shapetween.match.costs import Prepared
 from shapetween.match.dynamic import priced_path
@@ -54,7 +55,7 @@ def lopsided_ends(a: Prepared, b: Prepared) -> list[tuple[Floats, Halves]]:
         How the two sides of the one that is nearly even belong together.
     """
     axes = a.axes.beside(b.axes), b.axes.beside(a.axes)
-    known = [bool(len(side.ends)) or side.around is not None for side in axes]
+    known = [side.present for side in axes]
     if known[0] == known[1]:
         return []
     if known[0]:
@@ -108,8 +109,7 @@ def _halved(prepared: Prepared, way: float) -> tuple[float, float]:
     common : float
         Share of the area that lies where the mirror image about that line lies.
     """
-    z = prepared.samples.points @ [1, 1j] * np.exp(-1j * way)
-    z = (np.round(z.real / GRAIN) + 1j * np.round(z.imag / GRAIN)) * GRAIN
+    z = as_complex(np.round(as_points(_along(prepared, way)) / GRAIN) * GRAIN)
     low, high = float(z.real.min()), float(z.real.max())
     levels = low + (high - low) * (np.arange(LINES) + 0.5) / LINES
     after = np.roll(z, -1)
@@ -131,9 +131,14 @@ def _halved(prepared: Prepared, way: float) -> tuple[float, float]:
     return aside, float((inside * inside[:, ::-1]).sum() / inside.sum())
 
 
+def _along(prepared: Prepared, way: float) -> Complex:
+    """Samples of an outline, turned so that a direction is that of the real axis."""
+    return np.asarray(as_complex(prepared.samples.points) * np.exp(-1j * way))
+
+
 def _meets(prepared: Prepared, way: float, aside: float) -> tuple[float, float]:
     """Fractions of the length at which a line leaves the outline at last and comes in at first."""
-    z = prepared.samples.points @ [1, 1j] * np.exp(-1j * way)
+    z = _along(prepared, way)
     off, after = z.imag - aside, np.roll(z, -1)
     cut = np.flatnonzero((off <= 0) != (np.roll(off, -1) <= 0))
     share = off[cut] / (off[cut] - np.roll(off, -1)[cut])
@@ -147,7 +152,7 @@ def _halves(prepared: Prepared, way: float, first: float, last: float) -> Floats
     share = np.linspace(0.0, 1.0, HALF_STEPS + 1)
     sides = first + share * (last - first), first + 1 - share * (first + 1 - last)
     samples = prepared.samples
-    here, there = (samples.arcs.point(turn(samples.start + at)) @ [1, 1j] for at in sides)
+    here, there = (as_complex(samples.arcs.point(turn(samples.start + at))) for at in sides)
     image = here[0] + np.exp(2j * way) * (there - here[0]).conj()
     far = np.abs(here[:, None] - image) / samples.size
     path = priced_path(rounded(far), np.zeros_like(far))

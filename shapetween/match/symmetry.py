@@ -74,6 +74,11 @@ class Axes:
     deviations: Floats | None = None
 
     @property
+    def present(self) -> bool:
+        """Whether there are any."""
+        return self.around is not None or len(self.ends) > 0
+
+    @property
     def even(self) -> bool:
         """Whether the outline is symmetric, or meant to be."""
         return self.around is not None or bool((self._deviations <= MOST_DEVIATION).any())

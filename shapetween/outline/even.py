@@ -106,7 +106,7 @@ def _lines(source: Outline, target: Outline, turn: float) -> list[tuple[_Line, _
     """Lines that both outlines are even about, as pairs that may be one."""
     first, second = prepare(source), prepare(target)
     axes = first.axes.beside(second.axes), second.axes.beside(first.axes)
-    known = [len(side.directions) > 0 or side.around is not None for side in axes]
+    known = [side.present for side in axes]
     if all(known):
         directions = [_directions(side, other) for side, other in (axes, axes[::-1])]
         return [(_Line(float(a)), _Line(float(b))) for a in directions[0] for b in directions[1]]

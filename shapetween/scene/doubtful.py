@@ -94,8 +94,9 @@ def hopeless_pairs(a: Scene, b: Scene, roles: Roles) -> set[int]:
             found.add(k)
     pieces = _piece_of_alone(a, roles.disappearing), _piece_of_alone(b, roles.appearing)
     for k, role in enumerate(roles.pairs):
-        if (pieces[0][role.first] or pieces[1][role.second]) and k != main:
-            found |= {k} if role.reason == "matched" else set()
+        piece = pieces[0][role.first] or pieces[1][role.second]
+        if piece and k != main and role.reason == "matched":
+            found.add(k)
     places = {(role.first, role.second): k for k, role in enumerate(roles.pairs)}
     for k in tuple(found):
         first, second = roles.pairs[k].first, roles.pairs[k].second
@@ -111,7 +112,7 @@ def hopeless_pairs(a: Scene, b: Scene, roles: Roles) -> set[int]:
     return found
 
 
-def _piece_of_alone(scene: Scene, lone: Collection[int]) -> Mask:
+def _piece_of_alone(scene: Scene, unmatched: Collection[int]) -> Mask:
     """Which items are pieces of a body, of one paint and touching, whose largest piece is alone.
 
     Two of a cloud's discs would go elsewhere while the rest of it shrinks.
@@ -122,7 +123,7 @@ def _piece_of_alone(scene: Scene, lone: Collection[int]) -> Mask:
     labels = components(one | np.eye(len(one), dtype=bool))
     largest = np.zeros(len(labels))
     np.maximum.at(largest, labels, scene.sizes)
-    whole = [labels[k] for k in lone if scene.sizes[k] == largest[labels[k]]]
+    whole = [labels[k] for k in unmatched if scene.sizes[k] == largest[labels[k]]]
     return np.isin(labels, whole)
 
 

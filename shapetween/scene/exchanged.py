@@ -1,21 +1,16 @@
 """How drawings that are exchanged go and come: what of them stays, when, and to which place."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.scene.assign import Role, Roles
+from shapetween.scene.exchange import Behind, in_lines
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene, drawn_box
 from shapetween.scene.unmatched.going import Going
 from shapetween.scene.unmatched.presence import Leaving
-
-if TYPE_CHECKING:
-    pass
-
-from shapetween.scene.exchange import Behind, in_lines
 
 __all__ = ["exchange_goings", "exchange_roles"]
 

@@ -21,11 +21,7 @@ from shapetween.scene.attachments import kept_to
 from shapetween.scene.borders import bordered_tracks
 from shapetween.scene.disturbance import waviest, waviness
 from shapetween.scene.doubtful import hopeless_pairs
-from shapetween.scene.exchange import (
-    LEFT,
-    behind_both,
-    too_different,
-)
+from shapetween.scene.exchange import LEFT, behind_both, too_different
 from shapetween.scene.exchanged import exchange_goings, exchange_roles
 from shapetween.scene.items import Item
 from shapetween.scene.kept.areas import KeptArea

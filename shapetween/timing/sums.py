@@ -25,7 +25,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from shapetween.base.arrays import Floats, Index
+from shapetween.base.arrays import Floats, Index, row_lengths
 from shapetween.timing.pursuit import ALIKE, TIE, Pursuit, differences
 from shapetween.timing.ramps import together
 from shapetween.timing.windows import Eased, eased_shares, library
@@ -276,9 +276,7 @@ class _Task:
 
 def _slack(points: Floats, clock: Floats, tolerance: float) -> Floats:
     """What distances of points (S, K, 2) count, (S, K): less where they are fast, being late."""
-    ways = np.diff(points, axis=0)
-    x, y = ways[..., 0], ways[..., 1]  # sums along short axes are slow
-    steps = np.sqrt(x * x + y * y) / np.diff(clock)[:, None]
+    steps = row_lengths(np.diff(points, axis=0)) / np.diff(clock)[:, None]
     before, after = (np.concatenate(side) for side in ((steps[:1], steps), (steps, steps[-1:])))
     speed = np.minimum(before, after)
     return np.asarray(1 / (1 + LATE * np.maximum(speed / tolerance - FAST, 0.0)))
