@@ -620,3 +620,24 @@ def test_a_ring_that_would_be_torn_open_as_a_line_moves_as_an_area(tmp_path: Pat
     curves = ring.curves(np.array([0.0, 0.5, 1.0]))[:, : ring.counts[0]]
     turns = [total_turning(own) for own in curves]
     assert turns[1] < max(turns[0], turns[2]) + 0.3
+
+
+@pytest.mark.parametrize("comes", [True, False])
+@pytest.mark.parametrize(
+    "sign",
+    [
+        "M20 48L30 38L44 52L72 24L82 34L44 72Z",  # a tick
+        "M44 18H56V44H82V56H56V82H44V56H18V44H44Z",  # a plus
+        "M24 46L74 24L56 76L48 54Z",  # an arrow
+    ],
+)
+def test_a_sign_and_a_plate_that_it_is_cut_out_of_are_exchanged(
+    tmp_path: Path, sign: str, comes: bool
+) -> None:
+    plate = "M50 6C74 6 94 26 94 50C94 74 74 94 50 94C26 94 6 74 6 50C6 26 26 6 50 6Z"
+    ends = f'<path d="{sign}"/>', f'<path fill-rule="evenodd" d="{plate}{sign}"/>'
+    found = made(tmp_path, *(ends if comes else ends[::-1]))
+    assert is_exchanged(found)
+    # At no time is a part of the sign inside of the plate's edge and another part outside.
+    for t in np.linspace(0, 1, 33):
+        assert len(boxes(found, t)) <= 1

@@ -85,7 +85,7 @@ def test_parts_too_many_for_what_is_done_with_few(
         (borders, "MOST", "common borders"),
         (limbs, "MOST_ITEMS", "on bodies"),
         (outlined, "MOST_CURVES", "curves"),
-        (drawings, "MOST_AREAS", "inverted"),
+        (drawings, "MOST_AREAS", "slash"),
     ],
 )
 def test_areas_too_many_for_what_is_done_with_few(

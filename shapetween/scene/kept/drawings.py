@@ -1,6 +1,6 @@
 """What two drawings have in common in place, or after one slide, and how the rest of them moves."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +9,6 @@ from shapetween.base.arrays import Points
 from shapetween.base.notices import Notice
 from shapetween.base.ranking import comparable
 from shapetween.geometry.bezier import curve_lengths, flatten
-from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
 from shapetween.scene.items import SAMPLES, Item, intersection_over_union
 from shapetween.scene.kept.areas import Kept, KeptArea, kept_areas
@@ -21,7 +20,6 @@ from shapetween.scene.kept.coinciding import (
     coinciding_areas,
     scale_of,
 )
-from shapetween.scene.kept.inverted import inverted_tracks
 from shapetween.scene.kept.redrawn import crossed_tracks
 from shapetween.scene.motion.tracks import Frame, Framed
 
@@ -54,14 +52,11 @@ def kept_drawings(first: Sequence[Item], second: Sequence[Item], groups: Sequenc
     """
     sides: Sides = (first, second)
     scale = scale_of(sides)
-    inverted = None if groups else _as_one(sides, inverted_tracks, scale)
-    if inverted is not None:
-        return inverted
     coinciding = coinciding_areas(first, second)
     kept = kept_areas(coinciding, groups)
     if groups or (kept.areas and _is_all(kept)):
         return kept
-    crossed = _as_one(sides, crossed_tracks, scale)
+    crossed = _crossed(sides, scale)
     if crossed is not None:
         return crossed
     slid = None if kept.areas else _slid(sides, scale)
@@ -76,7 +71,7 @@ def _limits(sides: Sides) -> tuple[Notice, ...]:
     found = []
     if sum(map(len, sides)) > MOST_AREAS and _one_colour(sides):
         found.append(
-            f"of more than {MOST_AREAS} areas it is not looked for whether they are one, inverted"
+            f"of more than {MOST_AREAS} areas it is not looked for whether a slash comes over all"
         )
     if _most_rings(sides) > MOST_RINGS:
         found.append(f"of more than {MOST_RINGS} outlines it is not looked for a slide")
@@ -174,13 +169,11 @@ def _is_all(kept: Kept) -> bool:
     return len(kept.first) == len(kept.second) == len(kept.areas)
 
 
-def _as_one(
-    sides: Sides, find: Callable[[Sides, float], tuple[CurveTrack, ...] | None], scale: float
-) -> Kept | None:
-    """All of two drawings of one colour as one area with the tracks that are found for them."""
+def _crossed(sides: Sides, scale: float) -> Kept | None:
+    """All of two drawings of one colour as one area, if one is the other one crossed out."""
     if sum(map(len, sides)) > MOST_AREAS or not _one_colour(sides):
         return None
-    tracks = find(sides, scale)
+    tracks = crossed_tracks(sides, scale)
     if tracks is None:
         return None
     first, second = (
