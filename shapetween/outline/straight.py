@@ -18,6 +18,11 @@ FLAT = 4e-3
 #: Least bend worth taking out, in the same unit. Smaller costs time for what nobody sees.
 SEEN = 4e-3
 
+#: Least way from one node of an edge to the next, as a share of what it is where all of them move
+#: evenly along it. None, and rounding lets what is in one place cross itself; much more moves nodes
+#: that keep their order.
+LEAST_STEP = 0.1
+
 
 def straightened(body: Carried) -> Carried:
     """The body with straight edges kept straight, unless it then crosses where it did not."""
@@ -34,14 +39,29 @@ def straightened(body: Carried) -> Carried:
         chord = nodes[:, edge[-1:]] - nodes[:, edge[:1]]
         length = np.abs(chord)
         way = chord / np.where(length > 0, length, 1.0)
-        off = ((nodes[:, edge[1:-1]] - nodes[:, edge[:1]]) * way.conj()).imag
-        bent = max(bent, float((np.abs(off) / np.where(length > 0, length, np.inf)).max()))
-        pushes[:, edge[1:-1]] = -1j * off * way
+        place = (nodes[:, edge] - nodes[:, edge[:1]]) * way.conj()
+        bent = max(bent, float((np.abs(place.imag) / np.where(length > 0, length, np.inf)).max()))
+        pushes[:, edge[1:-1]] = ((_in_order(place.real) - place) * way)[:, 1:-1]
     if bent < SEEN:
         return body
     pushes[[0, -1]] = 0.0
     found = pushed(body, motion, pushes)
     return found if found.crossing <= body.crossing else body
+
+
+def _in_order(along: Floats) -> Floats:
+    """Places of an edge's nodes along it (F, N), drawn to even motion until each is past the last.
+
+    On one line, what goes back lies on what it went over, and rounding says whether it crosses it.
+    """
+    lengths = along[:, -1:]
+    shares = along[[0, -1]] / lengths[[0, -1]]
+    t = np.linspace(0, 1, len(along))[:, None]
+    even = ((1 - t) * shares[0] + t * shares[1]) * lengths
+    steps, even_steps = np.diff(along), np.diff(even)
+    lack = LEAST_STEP * even_steps - steps
+    drawn = np.max(lack / np.where(lack > 0, even_steps - steps, np.inf), initial=0.0)
+    return np.asarray(along + drawn * (even - along))
 
 
 def _edges(nodes: Nodes) -> list[Index]:

@@ -14,7 +14,7 @@ from shapetween.model.outline import Outline
 from shapetween.outline import straight
 from shapetween.outline.body import Carried
 from shapetween.outline.matching import match_outer
-from shapetween.outline.straight import _is_straight, straightened
+from shapetween.outline.straight import _in_order, _is_straight, straightened
 from shapetween.outline.unfold import unfolded
 from tests.match.shapes import polygon, rounded
 
@@ -91,3 +91,22 @@ def test_what_was_drawn_by_hand_is_straight_and_what_is_round_is_not(
     points = np.concatenate([9 * np.exp(0j) * np.linspace(0, 1, 9) + 0j])
     points = points + 1j * 9 * bow * np.sin(np.pi * np.linspace(0, 1, 9))
     assert _is_straight(points) == straight
+
+
+def going(*steps: float) -> Floats:
+    """Places of four nodes along an edge of length 3, the middle one's step as given in time."""
+    middle = np.array([1.0, *steps, 1.0])
+    return np.stack([0 * middle, 2 - middle, 2 + 0 * middle, 3 + 0 * middle], axis=1)
+
+
+def test_nodes_of_a_straight_edge_keep_their_order() -> None:
+    """What goes back on one line lies on itself, and rounding says whether it crosses itself."""
+    for back in (-0.5, 0.0, 0.01):
+        found = _in_order(going(0.6, back, 0.6))
+        assert 0.05 <= np.diff(found).min() <= 0.2
+        np.testing.assert_array_equal(found[:, [0, -1]], going(0.6, back, 0.6)[:, [0, -1]])
+        np.testing.assert_array_equal(found[[0, -1]], going(1.0, 1.0, 1.0)[[0, -1]])
+
+
+def test_nodes_that_keep_their_order_move_along_as_they_did() -> None:
+    np.testing.assert_array_equal(_in_order(going(0.5, 0.2, 0.5)), going(0.5, 0.2, 0.5))
