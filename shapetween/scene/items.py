@@ -162,8 +162,7 @@ class Item:
             return _painted_line(self.chords, self.closed, self.style.stroke)
         if self.closed and not self.holes:
             return self.enclosed
-        polygon = shapely.Polygon(self.chords, [_polyline(ring) for ring in self.holes])
-        return polygon if polygon.is_valid else shapely.make_valid(polygon)
+        return _area(shapely.Polygon(self.chords, [_polyline(ring) for ring in self.holes]))
 
     @cached_property
     def enclosed(self) -> "shapely.Geometry":
@@ -172,8 +171,7 @@ class Item:
 
         if not self.closed:
             return self.drawn
-        polygon = shapely.Polygon(self.chords)
-        return polygon if polygon.is_valid else shapely.make_valid(polygon)
+        return _area(shapely.Polygon(self.chords))
 
     @cached_property
     def area(self) -> float:
@@ -351,6 +349,18 @@ def _even_points(line: Points, count: int, *, closed: bool) -> Points:
     wanted = shares * along[-1]
     x, y = (np.interp(wanted, along, line[:, k]) for k in (0, 1))
     return np.stack([x, y], axis=1)
+
+
+def _area(polygon: "shapely.Polygon") -> "shapely.Geometry":
+    """What a polygon whose rings may cross encloses, without its hairs: they have no border."""
+    import shapely
+
+    if polygon.is_valid:
+        return polygon
+    found = shapely.make_valid(polygon)
+    parts = shapely.get_parts(found)
+    areas = shapely.get_dimensions(parts) == 2
+    return found if areas.all() or not areas.any() else shapely.union_all(parts[areas])
 
 
 def _polyline(outline: Outline) -> Points:

@@ -10,7 +10,7 @@ from shapetween.model.drawing import Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Stroke, Style
 from shapetween.scene.items import items_of
-from tests.drawings import area, line, square
+from tests.drawings import area, line, ring, square
 
 
 def test_parts_of_one_path_are_items_as_elements_are() -> None:
@@ -30,6 +30,14 @@ def test_a_hole_belongs_to_its_region() -> None:
     assert len(item.holes) == 1
     assert item.area == pytest.approx(100 - 16)
     assert item.size == pytest.approx(10)
+
+
+def test_a_hair_of_an_area_is_none_of_what_it_paints() -> None:
+    """Areas and lines together have no border of which could be asked what touches it."""
+    (item,), _ = items_of([area(ring([(0, 0), (20, 0), (10, 0), (10, 10), (0, 10)]))], "a.svg")
+    assert item.drawn.boundary is not None
+    assert item.drawn.area == pytest.approx(100)
+    assert item.enclosed.bounds == (0, 0, 10, 10)
 
 
 def test_a_flat_fill_is_not_seen_beside_its_stroke() -> None:
