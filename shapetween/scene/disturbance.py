@@ -12,6 +12,7 @@ from shapetween.scene.relations import Scene, in_common
 
 __all__ = [
     "MANY_HOLES",
+    "floods",
     "holes_apart",
     "intricacy",
     "recoloured",
@@ -55,6 +56,16 @@ RECOLOURED = 0.12
 #: Times at which that is looked at, the ends first and last. Fewer about the middle, and what is a
 #: lump for a moment passes.
 LOOKED = np.array([0.0, 0.25, 0.4, 0.5, 0.6, 0.75, 1.0])
+
+#: How many times as much is painted half-way as in either drawing if holes close before others
+#: open, from which on that is a blot. Smaller, and a disc with a list leaves for one with a cross;
+#: larger, and the panes of a window close before they open elsewhere.
+FLOODED = 1.4
+
+
+def floods(half_way: float, ends: Sequence[float]) -> bool:
+    """Whether so much more is painted half-way than at either end that it is a blot."""
+    return bool(round(half_way / max(ends), 6) > FLOODED)
 
 
 def intricacy(a: Scene, b: Scene, roles: Roles) -> float:

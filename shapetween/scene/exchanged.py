@@ -6,6 +6,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.scene.assign import Role, Roles
+from shapetween.scene.disturbance import floods
 from shapetween.scene.exchange import Behind, in_lines
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene, drawn_box
@@ -112,6 +113,11 @@ def _is_ground(i: int, j: int, a: Scene, b: Scene) -> bool:
     forms = a.forms[i], b.forms[j]
     if not all(isinstance(form, RoundedBox) for form in forms):
         return False
+    ground = a.items[i], b.items[j]
+    if max(len(item.holes) for item in ground) > 1 and floods(
+        min(item.enclosed.area for item in ground), [item.area for item in ground]
+    ):
+        return False  # all that is open in it would close before it opens
     scale = (a.scale + b.scale) / 2
     grounds = all(
         scene.parents[k] < 0 and scene.items[k].centre[1] >= _lowest(scene, k)

@@ -19,6 +19,7 @@ from shapetween.pipeline import Options, Prepared, prepare
 from shapetween.scene.items import items_of
 from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped
 from shapetween.scene.kept.badges import Bitten, badges_of
+from shapetween.scene.kept.drawings import kept_drawings
 from shapetween.scene.kept.holes import holes_in_turn
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Piece
@@ -714,3 +715,50 @@ def test_a_hole_that_touches_itself_is_an_area() -> None:
     assert found == [(0, 0), (1, 1)]
     torn = whole.difference(shapely.make_valid(shapely.Polygon(bow + 0.5)))
     assert holes_in_turn(([0], [1]), (), [bow, box], (torn, torn)) == []
+
+
+def test_a_tick_in_a_disc_closes_before_a_dial_opens_and_its_hands_come_with_it() -> None:
+    disc = shapely.Point(50, 50).buffer(45, quad_segs=8)
+    tick = shapely.LineString([(30, 50), (45, 65), (72, 34)]).buffer(6, cap_style="flat")
+    dial = shapely.Point(50, 50).buffer(34, quad_segs=8)
+    hands = shapely.box(46, 28, 54, 58).union(shapely.box(34, 50, 54, 58))
+    found = frames(path(disc.difference(tick)), path(disc.difference(dial).union(hands)))
+    assert off(found[4], disc) < 1e-3 * disc.area
+    for area in found[:4]:
+        hole = disc.difference(area)
+        assert 0 < hole.area <= tick.area + 0.1
+        assert hole.difference(tick.envelope).area < 0.1  # it swells to nothing
+    for area in found[5:]:
+        hole = disc.difference(area)
+        (hole,) = (part for part in shapely.get_parts(hole) if part.area > 0.1)
+        assert len(hole.interiors) == 1  # with all of the hands in it
+
+
+@pytest.mark.parametrize(("size", "stays"), [(0.65, True), (0.8, False), (1.0, False)])
+def test_an_area_that_is_mostly_open_does_not_stay_while_that_closes(
+    size: float, stays: bool
+) -> None:
+    plate = shapely.box(0, 0, 100, 100)
+    plus = shapely.union(shapely.box(4, 28, 96, 72), shapely.box(28, 4, 72, 96))
+    holes = [plus, shapely.box(10, 10, 90, 90)]
+    ends = [plate.difference(affinity.scale(hole, size, size)) for hole in holes]
+    files = [read_svg(f"{PAGE}{path(end)}</svg>".encode(), "x") for end in ends]
+    sides = [items_of(file.shapes, "x")[0] for file in files]
+    # A plate with a small sign in it is filled for a while; a frame would be a blot.
+    assert bool(kept_drawings(sides[0], sides[1], ()).areas) is stays
+
+
+def wheel(spokes: int) -> shapely.Geometry:
+    disc = shapely.Point(50, 50).buffer(45, quad_segs=64)
+    rim = disc.difference(shapely.Point(50, 50).buffer(38, quad_segs=64))
+    angles = 2 * np.pi * np.arange(spokes) / spokes
+    ends = 50 + 42 * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    return shapely.union_all([rim, *(shapely.LineString([(50, 50), e]).buffer(3) for e in ends)])
+
+
+def test_a_ring_full_of_holes_is_exchanged_as_a_whole_and_no_ground() -> None:
+    wheels = [wheel(4), wheel(6)]
+    found = prepared(*(path(own) for own in wheels))
+    assert "exchanged" in {notice.kind for notice in found.notices}
+    areas = [drawn(frame).area for frame in found.movement.at(T)]
+    assert max(areas) <= 1.01 * max(own.area for own in wheels)

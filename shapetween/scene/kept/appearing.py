@@ -18,7 +18,6 @@ from shapetween.scene.unmatched.presence import smooth_step
 __all__ = [
     "Against",
     "HalfPlaneClip",
-    "InTurn",
     "OfRings",
     "Slot",
     "Telescoped",
@@ -320,23 +319,6 @@ class Telescoped(OfRings):
         sunk = ((1 - t) if self.comes else t)[:, None, None] * self.height
         room = np.maximum(whole @ self.ahead - self.foot, 0.0)
         return np.asarray(whole - np.minimum(sunk, room)[..., None] * self.ahead)
-
-
-@dataclass(frozen=True, eq=False)
-class InTurn(OfTrack):
-    """A track that runs in the first or the second half of the time.
-
-    Attributes
-    ----------
-    first : bool
-        Whether in the first one.
-    """
-
-    first: bool
-
-    def curves(self, t: Floats) -> Curves:
-        """Control points at the times (F,), (F, N, 4, 2)."""
-        return self.track.curves(np.clip(2 * t if self.first else 2 * t - 1, 0.0, 1.0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,6 +6,7 @@ which something is done. So the outlines are not matched as wholes.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,10 +14,11 @@ from shapetween.base.notices import Notice
 from shapetween.boolean.chords import chords_of
 from shapetween.fill.regions import Region
 from shapetween.fill.splitting import split_alike
+from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
 from shapetween.scene.asked import Group
+from shapetween.scene.disturbance import floods
 from shapetween.scene.items import Item
-from shapetween.scene.kept.appearing import InTurn
 from shapetween.scene.kept.badges import Grown, badge_tracks, badges_of, blunt_badges, meets
 from shapetween.scene.kept.bars import Bar, slot_of
 from shapetween.scene.kept.changes import tracks_of_pieces
@@ -29,6 +31,10 @@ from shapetween.scene.kept.holes import (
     unmatched_hole_track,
 )
 from shapetween.scene.kept.pieces import areas_of, drawn_rings, overlay
+from shapetween.scene.motion.tracks import InTurn
+
+if TYPE_CHECKING:
+    import shapely
 
 __all__ = ["Kept", "KeptArea", "kept_areas"]
 
@@ -204,6 +210,8 @@ def _tracks(
     ]
     if parts and sum(abs(ring.area) for ring in unmatched_holes) > OPENED * solid[0].area:
         return None
+    if _floods(solid, loose, pairs):
+        return None
     moving = [matched_hole_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
     for side, k in holes_in_turn(holes, paired, chords.polylines, solid):
         paired.add(k)
@@ -241,3 +249,25 @@ def _tracks(
         moved = (*moved, InTurn(grown, first=not comes))
         taken[comes].append(beside[comes][k])
     return (*moved, *moving), taken
+
+
+def _floods(
+    solid: "Sequence[shapely.Geometry]",
+    loose: Sequence[Sequence[Outline]],
+    pairs: Sequence[tuple[int, int]],
+) -> bool:
+    """Whether most of what is open in both areas closes on the way.
+
+    Parameters
+    ----------
+    solid : sequence of shapely geometry
+        Both areas with their loose holes filled.
+    loose : sequence of sequence of Outline
+        Those holes.
+    pairs : sequence of (int, int)
+        Which of them become each other.
+    """
+    painted = [s.area - sum(abs(h.area) for h in own) for s, own in zip(solid, loose, strict=True)]
+    open_all_along = sum(max(abs(loose[0][i].area), abs(loose[1][j].area)) for i, j in pairs)
+    half_way = max(s.area for s in solid) - open_all_along
+    return floods(half_way, painted)

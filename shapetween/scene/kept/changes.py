@@ -10,14 +10,14 @@ from shapetween.base.arrays import Curves, Points
 from shapetween.base.ranking import comparable
 from shapetween.model.outline import Outline
 from shapetween.model.part import CurveTrack
-from shapetween.scene.kept.appearing import HalfPlaneClip, InTurn, Telescoped, extent_along
+from shapetween.scene.kept.appearing import HalfPlaneClip, Telescoped, extent_along
 from shapetween.scene.kept.bars import Bar, bar_of, round_stroke, slot_of
 from shapetween.scene.kept.holes import unmatched_hole_track
 from shapetween.scene.kept.outlines import outline_tracks
 from shapetween.scene.kept.pieces import Overlay, Piece
 from shapetween.scene.kept.strips import Strip, Tip
 from shapetween.scene.kept.symmetry import Reflection, reflections
-from shapetween.scene.motion.tracks import Blend
+from shapetween.scene.motion.tracks import Blend, InTurn
 from shapetween.scene.places import Pieces
 
 if TYPE_CHECKING:

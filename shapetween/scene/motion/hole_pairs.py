@@ -171,7 +171,9 @@ def _of_one_form(first: Sequence[Item], second: Sequence[Item]) -> Mask:
             for i, j in np.argwhere(together & (common < PLAIN_ALIKE)).tolist():
                 together[i, j] = _are_even(first[i], second[j])
         alike |= together
-    return np.asarray(alike)
+    # A tick swells to no disc: what bends as a line becomes what does.
+    bent = [np.array([_is_bent(hole) for hole in side]) for side in (first, second)]
+    return np.asarray(alike & (bent[0][:, None] == bent[1]))
 
 
 def _one_of_two(first: Sequence[Item], second: Sequence[Item]) -> Mask:
@@ -211,6 +213,11 @@ def _are_even(one: Item, other: Item) -> bool:
 
 def _is_stroke(hole: Item) -> bool:
     return stroke_of(hole) is not None
+
+
+def _is_bent(hole: Item) -> bool:
+    """Whether a hole is a stroke that is no mere bar or disc."""
+    return _is_stroke(hole) and not _is_box(hole)
 
 
 def _turning(hole: Item) -> float:

@@ -13,7 +13,7 @@ from shapetween.model.part import Area, Change, CurveTrack, Leaf
 from shapetween.outline.carry import Joints
 from shapetween.scene.places import Pieces
 
-__all__ = ["Blend", "Frame", "Framed", "Mirrored", "OfPieces", "OfTrack", "Shared"]
+__all__ = ["Blend", "Frame", "Framed", "InTurn", "Mirrored", "OfPieces", "OfTrack", "Shared"]
 
 #: Least width of a card that turns over, as a share of its own: it is seen on its edge, not gone.
 EDGE = 0.08
@@ -257,3 +257,20 @@ class Shared:
     def following(self, change: Change) -> CurveTrack:
         """The same of the track changed, itself changed."""
         return change(Shared(self.track.following(change)))
+
+
+@dataclass(frozen=True, eq=False)
+class InTurn(OfTrack):
+    """A track that runs in the first or the second half of the time.
+
+    Attributes
+    ----------
+    first : bool
+        Whether in the first one.
+    """
+
+    first: bool
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, N, 4, 2)."""
+        return self.track.curves(np.clip(2 * t if self.first else 2 * t - 1, 0.0, 1.0))

@@ -196,16 +196,16 @@ def _by_itself(k: int, side: Side) -> Going | None:
 
 def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
     """How items go that touch each other."""
-    lines = retracted_lines(cluster, side) if cluster.lines else None
-    if lines is not None:
-        return lines
     members = cluster.members
-    round_it = encircling_going(members, side)
-    if round_it is not None:
-        return {members[0]: round_it}
     inside = gone_with_hole(members, side)
     if inside is not None:
         return inside
+    lines = retracted_lines(cluster, side) if cluster.lines else None
+    if lines is not None:
+        return lines
+    round_it = encircling_going(members, side)
+    if round_it is not None:
+        return {members[0]: round_it}
     place, anchor, how = _shrinks_to(cluster, side)
     leaving = Leaving(side.window, place, least=_least(members, side.scene))
     return {k: Going(leaving, side.carry(anchor, place, how)) for k in members}

@@ -9,7 +9,7 @@ from shapetween.base.ends import End
 from shapetween.geometry.bezier import flatten
 from shapetween.model.part import CurveTrack
 from shapetween.scene.motion.holes import Opening
-from shapetween.scene.motion.tracks import Shared
+from shapetween.scene.motion.tracks import InTurn, Shared
 from shapetween.scene.unmatched.going import Going, Side
 from shapetween.scene.unmatched.presence import NEAR, Carry, Leaving
 
@@ -32,6 +32,10 @@ def gone_with_hole(members: Sequence[int], side: Side) -> dict[int, Going] | Non
             continue
         for track in tracks[1:]:
             hole = track.track if isinstance(track, Shared) else track
+            window = side.window
+            if isinstance(hole, InTurn):
+                hole = hole.track
+                window = (0.0, 0.5) if side.end is End.SOURCE else (0.5, 1.0)
             if not isinstance(hole, Opening) or hole.closes != (side.end is End.SOURCE):
                 continue
             ring = _at_home(hole, side.end)
@@ -39,7 +43,7 @@ def gone_with_hole(members: Sequence[int], side: Side) -> dict[int, Going] | Non
                 continue
             middle = np.reshape(ring.bounds, (2, 2)).mean(axis=0)
             reach = NEAR * side.scene.scale
-            going = Going(Leaving(side.window, middle), (Carry(track, middle, reach, side.end),))
+            going = Going(Leaving(window, middle), (Carry(track, middle, reach, side.end),))
             return dict.fromkeys(members, going)
     return None
 
