@@ -758,7 +758,7 @@ def wheel(spokes: int) -> shapely.Geometry:
 
 def test_a_ring_full_of_holes_is_exchanged_as_a_whole_and_no_ground() -> None:
     wheels = [wheel(4), wheel(6)]
-    found = prepared(*(path(own) for own in wheels))
+    found = prepared(path(wheels[0]), path(wheels[1]))
     assert "exchanged" in {notice.kind for notice in found.notices}
     areas = [drawn(frame).area for frame in found.movement.at(T)]
     assert max(areas) <= 1.01 * max(own.area for own in wheels)
