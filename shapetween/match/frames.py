@@ -14,9 +14,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from shapetween.geometry.circlemap import wrapped
-from shapetween.match.costs import Prepared
+from shapetween.match.candidate import Candidate
+from shapetween.match.costs import Prepared, sample_features
 
-__all__ = ["Frame", "Standing", "handicap", "standing", "worth_trying"]
+__all__ = [
+    "Frame",
+    "Standing",
+    "handicap",
+    "margin_over",
+    "other_way_round",
+    "standing",
+    "tilted_sides",
+    "turn_between",
+    "worth_trying",
+]
 
 #: Least angle, radians, between two frames that are both worth trying.
 MIN_TURN = 0.25
@@ -63,6 +74,22 @@ ONTO = 0.26
 #: a wide one.
 ASKEW = 1.2
 
+#: Weight of the upright and level sides that a turn takes from both outlines, as a share of their
+#: lengths, and the share from which on more of them does not count. Less, and a triangle that
+#: stands on its leg is turned, as it is even about its diagonal; more leaves a key upright that is
+#: meant to be turned, and no turned frame of letters is offered among others.
+SIDES, MOST_TILTED = 3.0, 0.4
+
+#: Angle, radians, up to which a side is upright or level, and from twice of which on it is not.
+#: Less, and sides drawn by hand are none; much more, and those of a star are.
+LEVEL = 0.05
+
+#: How many times cheaper it must be to turn the other way round where that turns more, and the
+#: logarithm of what that is multiplied by where it is well past a right angle. Less, and rounding
+#: decides how a bone or a bolt comes to lie, and a guitar turns on its head where its neck could
+#: come up; more, and a pencil or a brush is laid on its head.
+BOTH_WAYS, BOTH_WAYS_OVER = 1.02, 0.18
+
 
 @dataclass(frozen=True, slots=True)
 class Standing:
@@ -93,10 +120,13 @@ class Frame:
         Angle by which the first outline is turned, radians.
     unlike : float
         Mean unlikeness of the places matched that no turning changes.
+    tilted : float
+        What `tilted_sides` says of it.
     """
 
     turn: float
     unlike: float
+    tilted: float = 0.0
 
 
 def worth_trying(turns: Iterable[float]) -> list[float]:
@@ -109,6 +139,13 @@ def worth_trying(turns: Iterable[float]) -> list[float]:
     return kept
 
 
+def turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
+    """Angle of the rotation that takes the first's matched points nearest the second's."""
+    places = ((a, candidate.a), (b, candidate.b))
+    za, zb = (sample_features(side, at).points @ [1, 1j] for side, at in places)
+    return float(np.angle((zb * za.conj()).sum()))
+
+
 def standing(prepared: Prepared) -> Standing:
     """How an outline lies, by its samples."""
     z = prepared.samples.points @ [1, 1j]
@@ -117,6 +154,35 @@ def standing(prepared: Prepared) -> Standing:
     ratio = (spread + abs(aside)) / max(spread - abs(aside), 1e-9 * spread)
     length = prepared.samples.arcs.length / prepared.samples.size
     return Standing(float(np.log(ratio)), float(np.angle(aside)) / 2, 4 * np.pi / length**2)
+
+
+def tilted_sides(a: Prepared, b: Prepared, turn: float) -> float:
+    """Share of their upright and level sides that both outlines lose by a turn onto the other.
+
+    The one that loses less counts: of two that are the same but turned, one gains what the other
+    loses. At most `MOST_TILTED`.
+    """
+    lost = [_level(side, 0.0) - _level(side, by) for side, by in ((a, turn), (b, -turn))]
+    return min(max(0.0, min(lost)), MOST_TILTED)
+
+
+def other_way_round(turn: float) -> float:
+    """The turn that is half a turn from one."""
+    return float(turn - np.copysign(np.pi, turn))
+
+
+def margin_over(turn: float, plain: float) -> float:
+    """How many times cheaper a turn past a right angle must be than the one half a turn from it.
+
+    Parameters
+    ----------
+    turn : float
+        The greater of both.
+    plain : float
+        How plainly the two are the same in its frame, from 0 to 1.
+    """
+    over = _ramp(abs(turn), OVER_FROM, OVER_TO)
+    return float(BOTH_WAYS * np.exp(BOTH_WAYS_OVER * (1 - plain) * over))
 
 
 def handicap(
@@ -155,6 +221,7 @@ def handicap(
         upright_weight = STANDING - weight
     elif even[1] and not even[0]:
         weight -= ONTO
+    upright_weight += SIDES * turned.tilted
     return float(np.exp(weight + (1 - plain) * upright_weight))
 
 
@@ -165,6 +232,15 @@ LEAST = 0.1
 def _ramp(value: float, low: float, high: float) -> float:
     """From 0 at the low one to 1 at the high one."""
     return min(max((value - low) / (high - low), 0.0), 1.0)
+
+
+def _level(prepared: Prepared, turn: float) -> float:
+    """Share of an outline's length that is upright or level once it is turned."""
+    points = prepared.samples.points @ [1, 1j]
+    bearing = np.angle(np.roll(points, -1) - points) + turn
+    quarter = np.pi / 2
+    off = np.abs((bearing + quarter / 2) % quarter - quarter / 2)
+    return float(np.clip(2 - off / LEVEL, 0, 1).mean())
 
 
 def _apart(angle: float) -> float:

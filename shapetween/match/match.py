@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from shapetween.base.arrays import Floats, Index
+from shapetween.base.arrays import Floats
 from shapetween.base.ranking import comparable
 from shapetween.match.band import band_path
 from shapetween.match.bends import bends_alike, plainly_the_same
@@ -19,16 +19,25 @@ from shapetween.match.costs import (
     Prepared,
     all_cells,
     intrinsic_cost,
-    likeness_of_vertices,
     sample_features,
     upright_cost,
     upright_features,
 )
 from shapetween.match.dynamic import Paths, cyclic_paths, cyclic_prices, rolled_paths
 from shapetween.match.even import even_matchings, lopsided_matchings, refined_even
-from shapetween.match.frames import Frame, handicap, standing, worth_trying
+from shapetween.match.frames import (
+    Frame,
+    handicap,
+    margin_over,
+    other_way_round,
+    standing,
+    tilted_sides,
+    turn_between,
+    worth_trying,
+)
 from shapetween.match.layout import Layout, layout_of
 from shapetween.match.pins import pull_of
+from shapetween.match.rewards import cell_rewards, salient_tips, vertex_rewards
 from shapetween.match.scale import BAND, FINE_SAMPLES, MATCH_SAMPLES, VERTEX_REWARD, rounded
 from shapetween.match.symmetry import turns_onto
 
@@ -50,18 +59,9 @@ LOPSIDED_RATIO = 1.1
 #: Matchings kept of each frame.
 PER_FRAME = 3
 
-#: Salient tips of each outline of which every pair is tried for alternatives. More offer matchings
-#: that nobody means, and cost time with the square.
-FORCED_TIPS = 5
-
 #: Matchings of the frame that was not chosen which are offered in any case. Fewer, and whoever
 #: meant the thing turned finds it nowhere; more, and they take the places of better ones.
 OTHER_FRAME = 2
-
-#: How many times cheaper it must be to turn by more than a right angle where the other way round is
-#: a matching too. Less, and rounding decides how a bone or a bolt comes to lie; more, and a pencil
-#: is laid on its head.
-BOTH_WAYS = 1.02
 
 #: Places at which a matching's unlikeness is read.
 MEAN_PLACES = 128
@@ -187,7 +187,7 @@ class _Comparison:
 
     def upright_cost(self) -> float:
         """Cost of the best matching in the upright frame, rewards that are not earned added."""
-        rewards = _vertex_rewards(self.a, self.b, 0.0)
+        rewards = vertex_rewards(self.a, self.b, 0.0)
         return self._in_frame(0.0, rewards, False)[0].cost + self._unrewarded
 
     @property
@@ -211,16 +211,15 @@ class _Comparison:
         found = upright.entries + tried[best].weighed(factor)
         if ranks[best] < as_drawn:
             # What is much the same both ways round is laid that way which turns it less.
-            about = turn - np.copysign(np.pi, turn)
-            factor *= 1 / BOTH_WAYS if abs(about) < abs(turn) else BOTH_WAYS
-            found += self._found(about, unlike, forced).weighed(factor)
+            other = self._found(other_way_round(turn), unlike, forced)
+            found += other.weighed(factor * self._margin(tried[best], other))
         return found
 
     def _found(self, angle: float, unlike: Floats, forced: bool) -> _Found:
         """What is found in one frame."""
         a, b = self.a, self.b
         unrewarded = self._unrewarded
-        rewards = _vertex_rewards(a, b, angle)
+        rewards = vertex_rewards(a, b, angle)
         even = even_matchings(a, b, angle, rewards) if len(self.pins) == 0 else []
         entries = [
             _Ranked(c.cost + unrewarded, c, rewards) for c in self._in_frame(angle, rewards, forced)
@@ -233,7 +232,8 @@ class _Comparison:
         lopsided = lopsided_matchings(a, b, rewards) if tried else []
         entries += [_Ranked((c.cost + unrewarded) / LOPSIDED_RATIO, c, rewards) for c in lopsided]
         best = min(entries, key=lambda entry: entry.cost)
-        frame = Frame(angle, self._mean(unlike, best.candidate))
+        tilted = tilted_sides(a, b, angle) if angle else 0.0
+        frame = Frame(angle, self._mean(unlike, best.candidate), tilted)
         return _Found(frame, entries, best, bool(even) and meant)
 
     def _factor(self, upright: _Found, turned: _Found) -> float:
@@ -246,6 +246,15 @@ class _Comparison:
             return most
         alike = (self._bends_alike(found.best) for found in (turned, upright))
         return handicap(*frames, even=even, plain=plainly_the_same(*alike))
+
+    def _margin(self, found: _Found, other: _Found) -> float:
+        """What the costs of the other way round are weighed by against those of a turned frame."""
+        less, more = sorted((found, other), key=lambda one: abs(one.frame.turn))
+        most, least = (margin_over(more.frame.turn, plain) for plain in (0.0, 1.0))
+        if least * more.best.cost < less.best.cost <= most * more.best.cost:
+            alike = (self._bends_alike(one.best) for one in (more, less))
+            most = margin_over(more.frame.turn, plainly_the_same(*alike))
+        return most if less is found else 1 / most
 
     def _bends_alike(self, entry: _Ranked) -> float:
         return bends_alike(self.a, self.b, self._refined(entry.candidate, entry.rewards))
@@ -269,7 +278,7 @@ class _Comparison:
         """The angle by which the first is turned where they match best whatever their angle."""
         layout = self.layout
         paths = cyclic_paths(unlike, np.zeros_like(unlike), layout.fixed, layout.starts)
-        return _turn_between(self.a, self.b, next(self._by_cost(paths, 0, 0.0)))
+        return turn_between(self.a, self.b, next(self._by_cost(paths, 0, 0.0)))
 
     def _mean(self, unlike: Floats, candidate: Candidate) -> float:
         """Mean unlikeness along a matching, at even steps of both lengths."""
@@ -294,14 +303,14 @@ class _Comparison:
         """The cheapest matchings of one frame that are different ones."""
         layout = self.layout
         cost = self._cost(layout, angle, self.cells)
-        prices = cyclic_prices(cost, _cell_rewards(rewards, layout), layout.fixed)
+        prices = cyclic_prices(cost, cell_rewards(rewards, layout), layout.fixed)
         count = len(cost)
         found = distinct(
             self._by_cost(Paths(prices, count, layout.starts, count), 0, angle), PER_FRAME
         )
         if not forced or len(self.pins):
             return found
-        tips = [_tips(side) for side in (self.a, self.b)]
+        tips = [salient_tips(side) for side in (self.a, self.b)]
         goals = np.unique(layout.b_vertices[tips[1]])
         more = [
             candidate
@@ -349,7 +358,7 @@ class _Comparison:
             within = away(best, layout.a, layout.b) <= BAND
             rows, columns = np.nonzero(within)
             cost = self._cost(layout, candidate.turn, (rows, columns))
-            reward = _cell_rewards(rewards, layout)[within]
+            reward = cell_rewards(rewards, layout)[within]
             path = band_path((rows, columns), cost, reward, layout.fixed, len(layout.a))
             if path is None:
                 break
@@ -366,35 +375,3 @@ class _Comparison:
             pulled = (intrinsic_cost(first, second, cells) + residual) / 2
             cost = weight * pulled + (1 - weight) * cost
         return rounded(cost)
-
-
-def _tips(prepared: Prepared) -> Index:
-    """The most salient tips among the vertices, at most `FORCED_TIPS`."""
-    vertices = prepared.vertices
-    order = np.argsort(-np.round(vertices.weight, 9), kind="stable")
-    return order[vertices.convex[order]][:FORCED_TIPS]
-
-
-def _vertex_rewards(a: Prepared, b: Prepared, angle: float) -> Floats:
-    """Reward of matching salient vertices in one frame, (K, K): weight times likeness."""
-    count = len(a.samples.points)
-    first, second = (sample_features(p, p.vertices.index / count) for p in (a, b))
-    weight = (a.vertices.weight[:, None] + b.vertices.weight) / 2
-    alike = a.vertices.convex[:, None] == b.vertices.convex
-    return rounded(weight * alike * likeness_of_vertices(first.turned(angle), second))
-
-
-def _cell_rewards(rewards: Floats, layout: Layout) -> Floats:
-    """What a path earns in each cell by matching salient vertices, (n, n)."""
-    reward = np.zeros((len(layout.a), len(layout.b)))
-    earned = VERTEX_REWARD * len(layout.a) * rewards
-    np.maximum.at(reward, (layout.a_vertices[:, None], layout.b_vertices[None]), earned)
-    return reward
-
-
-def _turn_between(a: Prepared, b: Prepared, candidate: Candidate) -> float:
-    """Angle of the rotation that takes the first's matched points nearest the second's."""
-    za, zb = (
-        sample_features(p, k).points @ [1, 1j] for p, k in ((a, candidate.a), (b, candidate.b))
-    )
-    return float(np.angle((zb * za.conj()).sum()))
