@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import shapely
 
 __all__ = [
+    "CERTAIN",
     "CONVEX",
     "filling",
     "hopeless_pairs",

@@ -19,6 +19,7 @@ from shapetween.scene.asked import Asked
 from shapetween.scene.assign import Roles
 from shapetween.scene.attachments import kept_to
 from shapetween.scene.borders import bordered_tracks
+from shapetween.scene.contents import contents_apart
 from shapetween.scene.disturbance import waviest, waviness
 from shapetween.scene.doubtful import hopeless_pairs
 from shapetween.scene.exchange import LEFT, behind_both, too_different
@@ -163,6 +164,10 @@ def move_scene(
                     tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
                     waves = waviness(a, b, roles, tracks)
                     exchange = too_different(a, b, roles, behind, waves)
+        apart = contents_apart(a, b, roles, tracks) if may and not exchange else set()
+        if apart:
+            roles = roles.without(apart)
+            tracks, notices = _moved_pairs(a, b, roles, paired, settings, names)
         if exchange:
             matched = (a, b), roles
             a, b = perceive(first, views[0]), perceive(second, views[1])

@@ -25,6 +25,7 @@ from shapetween.scene.unmatched.clusters import (
     is_line,
     staying_parent,
 )
+from shapetween.scene.unmatched.contents import joined_on_hosts
 from shapetween.scene.unmatched.encircling import encircling_going
 from shapetween.scene.unmatched.gaps import timed_gaps
 from shapetween.scene.unmatched.going import Going, Side, nearer_end, nearest_beside, within_reach
@@ -73,6 +74,10 @@ APART = 0.03
 #: Ratio of sides from which on a loose box goes into its end, as a ray of a sun.
 SLIM = 1.6
 
+
+#: Power of size by which the lines of a sign thin. At 1 they are pale when small; at 0 what is
+#: close clots.
+LINES_THIN = 0.6
 
 #: Time from which on a line comes in whose place something was. Earlier, and both are seen there at
 #: once; later, and it snaps.
@@ -132,7 +137,8 @@ def _goings(side: Side, unmatched: Sequence[int], change: Change | None = None) 
             clustered.append(k)
         else:
             found[k] = alone
-    for cluster in clusters_of(clustered, side.scene, side.anchors):
+    clusters = clusters_of(clustered, side.scene, side.anchors)
+    for cluster in joined_on_hosts(clusters, side):
         together = _together(cluster, side)
         # With something else coming or going, waiting would leave the middle empty.
         if side.only and any(_waits(k, side) for k in cluster.members):
@@ -195,11 +201,15 @@ def _by_itself(k: int, side: Side) -> Going | None:
 
 
 def _together(cluster: Cluster, side: Side) -> dict[int, Going]:
-    """How items go that touch each other."""
+    """How items go that touch each other, or are one sign."""
     members = cluster.members
     inside = gone_with_hole(members, side)
     if inside is not None:
         return inside
+    if cluster.sign:
+        place, thins = _middle(members, side.scene), LINES_THIN if cluster.lines else 1.0
+        leaving = Leaving(side.window, place, thins=thins, least=_least(members, side.scene))
+        return dict.fromkeys(members, Going(leaving, side.carry(cluster.parent, place, "in")))
     lines = retracted_lines(cluster, side) if cluster.lines else None
     if lines is not None:
         return lines

@@ -32,11 +32,14 @@ class Cluster:
         The nearest item around all of them that stays.
     lines : bool
         Whether all of them are open lines.
+    sign : bool
+        Whether they are one sign on their parent, however they touch.
     """
 
     members: tuple[int, ...]
     parent: int | None
     lines: bool
+    sign: bool = False
 
 
 def is_line(k: int, scene: Scene) -> bool:
