@@ -30,6 +30,7 @@ from shapetween.model.outline import Outline
 from shapetween.outline.alone import looked_at, moved_alone
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import affine_between
+from shapetween.outline.fairing import faired
 from shapetween.outline.matching import CORNERS, match_hole, match_outer
 from shapetween.outline.preview import previewed_body
 from shapetween.outline.straight import straightened
@@ -266,7 +267,7 @@ def _moved(
     together = None
     if 1 < len(bodies) <= MOST_TOGETHER and not touching:
         every = [ring for rings in bodies for ring in rings]
-        together = straightened(unfolded(every, settings.method))
+        together = straightened(faired(unfolded(every, settings.method)))
         if not together.crossing or together.detail:
             return [looked_at(together)], [0] * len(bodies)
     rough = _curves(bodies) > MANY_CURVES

@@ -11,6 +11,7 @@ from shapetween.deform.schedule import CHECKED_TIMES
 from shapetween.geometry.polygon import polygon_area
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.even import evened
+from shapetween.outline.fairing import faired
 from shapetween.outline.matching import next_matches
 from shapetween.outline.seen import NOT_SEEN, seen_crossings
 from shapetween.outline.straight import straightened
@@ -55,7 +56,7 @@ def moved_alone(
     """
     outer, holes = rings[0], rings[1:]
     body = unfolded(rings, method, TOLERANCES[:1] if rough else TOLERANCES)
-    best = looked_at(straightened(evened(body)))
+    best = looked_at(straightened(evened(faired(body))))
     if rough or outer.coarse or best.seen.nothing:
         return best
     from shapetween.outline.parting import parted
@@ -67,7 +68,8 @@ def moved_alone(
     if decided or len(body.nodes.ends[0]) > MOST_NODES:
         return best
     for other in _others(outer, quads, observe):
-        found = looked_at(straightened(evened(unfolded([other, *holes], method, TOLERANCES[:2]))))
+        moved = unfolded([other, *holes], method, TOLERANCES[:2])
+        found = looked_at(straightened(evened(faired(moved))))
         if found.seen.nothing:
             return replace(found, other_matching=True)
     return best

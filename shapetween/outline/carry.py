@@ -106,6 +106,10 @@ class Carrier:
     ordered : bool
         Whether the pieces of each span are in one order along both its chords, and are to stay so.
         Then the outline follows a similarity at most, and is squeezed where its chord is.
+
+    Attributes
+    ----------
+    pieces : Pieces
     """
 
     def __init__(
@@ -118,7 +122,7 @@ class Carrier:
         ordered: bool = False,
     ) -> None:
         count = len(nodes)
-        self._pieces = pieces
+        self.pieces = pieces
         self._span: Index = np.searchsorted(nodes, pieces.w, side="right") - 1
         self._span = np.where(self._span < 0, count - 1, self._span)
         begin, end = nodes[self._span], np.roll(nodes, -1)[self._span]
@@ -194,8 +198,8 @@ class Carrier:
             some[:, :, 3] = np.roll(some[:, :, 0], -1, axis=1)  # equal but for rounding
             self._joints.smooth(some, t[frames])
             result[frames] = as_points(some)
-        result[t == 0] = self._pieces.source
-        result[t == 1] = self._pieces.target
+        result[t == 0] = self.pieces.source
+        result[t == 1] = self.pieces.target
         return result
 
 
