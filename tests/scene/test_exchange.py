@@ -641,3 +641,27 @@ def test_a_sign_and_a_plate_that_it_is_cut_out_of_are_exchanged(
     # At no time is a part of the sign inside of the plate's edge and another part outside.
     for t in np.linspace(0, 1, 33):
         assert len(boxes(found, t)) <= 1
+
+
+SIGNS = (
+    '<path d="M40 40l20 20M35 62v-20M50 36c10 0 10 8 14 8M42 64h18M62 56v-16"/>',
+    '<path d="M36 44c4-9 12-9 14-9"/><circle cx="50" cy="50" r="6"/>'
+    '<circle cx="62" cy="60" r="4"/><circle cx="40" cy="60" r="4"/>',
+)
+CORNERS = '<path d="M2 2l4 4"/>', '<circle cx="95" cy="96" r="3"/>'
+
+
+@pytest.mark.parametrize(
+    ("deep", "corners", "exchanged"),
+    [(10, ("", ""), False), (10, CORNERS, True), (12, ("", ""), True)],
+)
+def test_lines_round_most_of_both_drawings_move_though_all_within_is_exchanged(
+    tmp_path: Path, deep: float, corners: tuple[str, str], exchanged: bool
+) -> None:
+    """With something in the corners the line is less of what is seen; with deep teeth unlike."""
+    wheels = wheel(50, 12, deep), wheel(50, 3, 16)
+    first, second = (
+        f'<g fill="none" stroke="#000" stroke-width="3"><path d="{body}"/>{inner}{corner}</g>'
+        for body, inner, corner in zip(wheels, SIGNS, corners, strict=True)
+    )
+    assert is_exchanged(made(tmp_path, first, second)) is exchanged
