@@ -157,7 +157,7 @@ def too_different(
     lines = in_lines(a, b)
     plain = EXCHANGED_COLOURED if changes else EXCHANGED
     least = most or (EXCHANGED_LINES if lines else plain)
-    if paired and _main_pair(a, b, firsts, seconds)[2] >= MOSTLY:
+    if paired and _mostly_one(a, b, *_main_pair(a, b, firsts, seconds)):
         least += IN_COMMON
     if alone is not None:
         forms = a.forms[alone[0]], b.forms[alone[1]]
@@ -201,6 +201,13 @@ def difference(a: Scene, b: Scene, roles: Roles, behind: Behind) -> float:
     lines = not (one.filled or one.closed or other.filled or other.closed)
     hollow = 0.0 if lines else abs(share_of_hull(bodies[0]) - share_of_hull(bodies[1]))
     return float(alone + UNLIKE * (1 - alike) + HOLLOW * hollow - kept)
+
+
+def _mostly_one(a: Scene, b: Scene, i: int, j: int, weight: float) -> bool:
+    """Whether a pair is most of both drawings, and is not torn open."""
+    one, other = a.items[i], b.items[j]
+    kept = one.closed == other.closed or closes(one, other, (a.scale + b.scale) / 2)
+    return kept and round(weight, 6) >= MOSTLY
 
 
 def _goes_off(a: Scene, b: Scene, i: int, j: int, scale: float) -> bool:
