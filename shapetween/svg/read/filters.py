@@ -19,11 +19,12 @@ from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Layer
 from shapetween.svg.read.gradients import colour_of
 from shapetween.svg.read.units import number
-from shapetween.svg.read.xml import local_name
+from shapetween.svg.read.xml import label, local_name
 
 __all__ = ["filters_of"]
 
-#: Primitives of all filters of one property that are read.
+#: Most primitives of one filter, filters of one property and parts of one primitive that are read;
+#: drawings have a dozen. Fewer cut those short; more let a small file ask for hours of filtering.
 MOST_PRIMITIVES = 200
 
 #: Characters of an attribute that are read: tables of component transfers have some hundred.
@@ -31,6 +32,10 @@ MOST_CHARACTERS = 4000
 
 #: Greatest over least scale, and shear, up to which lengths are scaled evenly: rounding.
 EVEN = 1e-9
+
+#: What is told where a limit is passed.
+CUT_SHORT = "a filter of too many effects was cut short"
+TOO_LONG = "an attribute of a filter effect that is too long was left out"
 
 _SHARED = frozenset({"in", "result", "x", "y", "width", "height"})
 #: Primitives with their own attributes.
@@ -112,6 +117,8 @@ def filters_of(document: Document, layer: Layer) -> list[Filter]:
     ]
     filters: list[Filter] = []
     steps: list[Primitive] = []
+    if len(tokens) > MOST_PRIMITIVES:
+        document.losses.add(CUT_SHORT)
     for token in tokens[:MOST_PRIMITIVES]:
         reference = reference_of(token)
         if reference is not None:
@@ -139,6 +146,8 @@ def _of_element(document: Document, element: Element, layer: Layer) -> Filter | 
     """A ``filter`` element as it acts on what a layer holds."""
     primitives = []
     children = [child for child in element if local_name(child).startswith("fe")]
+    if len(children) > MOST_PRIMITIVES:
+        document.losses.add(CUT_SHORT, label(element))
     for child in children[:MOST_PRIMITIVES]:
         tag = local_name(child)
         if tag not in PRIMITIVES:
@@ -167,8 +176,7 @@ def _of_element(document: Document, element: Element, layer: Layer) -> Filter | 
 
 def _primitive(document: Document, element: Element, tag: str) -> Primitive:
     own = PRIMITIVES[tag] | _SHARED
-    attributes = [(k, v.strip()) for k, v in element.items() if k in own]
-    attributes = [(k, v) for k, v in attributes if len(v) <= MOST_CHARACTERS]
+    attributes = _attributes(document, element, own)
     properties = document.style(element)
     space = properties.get("color-interpolation-filters", "linearrgb")
     if space == "srgb":
@@ -183,19 +191,26 @@ def _primitive(document: Document, element: Element, tag: str) -> Primitive:
             share = number(properties.get(opacity_name))
             share = 1.0 if share is None else min(1.0, max(0.0, share))
             attributes.append((opacity_name, f"{colour.alpha * share:.6g}"))
+    parts = [child for child in element if local_name(child) in PARTS]
+    if len(parts) > MOST_PRIMITIVES:
+        document.losses.add(CUT_SHORT, label(element))
     children = tuple(
         Primitive(
             local_name(child),
-            tuple(
-                (k, v.strip())
-                for k, v in child.items()
-                if k in PARTS[local_name(child)] and len(v) <= MOST_CHARACTERS
-            ),
+            tuple(_attributes(document, child, PARTS[local_name(child)])),
         )
-        for child in list(element)[:MOST_PRIMITIVES]
-        if local_name(child) in PARTS
+        for child in parts[:MOST_PRIMITIVES]
     )
     return Primitive(tag, tuple(attributes), children)
+
+
+def _attributes(document: Document, element: Element, own: frozenset[str]) -> list[tuple[str, str]]:
+    """Its attributes of these names; those that are too long are told."""
+    found = [(name, value.strip()) for name, value in element.items() if name in own]
+    read = [(name, value) for name, value in found if len(value) <= MOST_CHARACTERS]
+    if len(read) < len(found):
+        document.losses.add(TOO_LONG)
+    return read
 
 
 def _colour_text(colour: Colour) -> str:

@@ -173,7 +173,7 @@ def _stroke(
     cap = properties.get("stroke-linecap", "butt")
     join = properties.get("stroke-linejoin", "miter")
     limit = number(properties.get("stroke-miterlimit"))
-    dashes = _dashes(frame)
+    dashes = _dashes(document, frame)
     dash_unit = scale
     if dashes and path_length is not None and path_length > 0:
         dash_unit *= sum(map(_length, subpaths)) / path_length
@@ -189,14 +189,17 @@ def _stroke(
     )
 
 
-def _dashes(frame: Frame) -> tuple[float, ...]:
+def _dashes(document: Document, frame: Frame) -> tuple[float, ...]:
     """The dash pattern in local units, of even count; empty for a solid line."""
     text = frame.properties.get("stroke-dasharray", "none")
     if text == "none":
         return ()
     viewport = frame.viewport
     dashes = []
-    for word in text.replace(",", " ").split()[:MOST_DASHES]:
+    words = text.replace(",", " ").split()
+    if len(words) > MOST_DASHES:
+        document.losses.add("a pattern of too many dashes was cut short")
+    for word in words[:MOST_DASHES]:
         dash = viewport.length(word, viewport.diagonal)
         if dash is None or dash < 0:
             return ()

@@ -12,7 +12,17 @@ from shapetween.svg.read.shapes import GEOMETRY
 from shapetween.svg.read.units import Viewport, number
 from shapetween.svg.read.variables import with_scheme
 
-__all__ = ["INHERITED", "OWN", "PAINTS", "is_plain", "is_valid", "normal", "reset", "unfolded"]
+__all__ = [
+    "INHERITED",
+    "OWN",
+    "PAINTS",
+    "is_plain",
+    "is_too_long",
+    "is_valid",
+    "normal",
+    "reset",
+    "unfolded",
+]
 
 INHERITED = frozenset(
     {
@@ -184,6 +194,12 @@ _FONT = re.compile(
     r"(?P<size>[\d.]+[a-z%]*)(?:\s*/\s*[\d.a-z%]+)?\s+(?P<family>\S.*)",
     re.IGNORECASE | re.DOTALL,
 )
+
+
+def is_too_long(name: str, value: str) -> bool:
+    """Whether a value that would say something is not read for its length alone."""
+    known = name in INHERITED or name in OWN or name in TRANSFORMS or name.startswith("--")
+    return known and len(value) > MOST_CHARACTERS
 
 
 def is_supported(name: str, value: str) -> bool:

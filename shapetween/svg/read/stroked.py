@@ -58,7 +58,10 @@ def stroke_rings(lines: Sequence[Outline], stroke: Stroke) -> tuple[Outline, ...
 
     pieces: list[Outline] = []
     for line in lines:
-        for part in _dashed(line, stroke) if stroke.dashes else [line]:
+        parts = _dashed(line, stroke) if stroke.dashes else [line]
+        if parts is None:
+            return None
+        for part in parts:
             pieces += _pieces(part, stroke)
             if len(pieces) > MOST_PIECES:
                 return None
@@ -182,24 +185,27 @@ def _disc(centre: Points, radius: float) -> Outline:
     return Outline(centre + radius * np.stack([out, out + along * to, to + along * out, to], 1))
 
 
-def _dashed(line: Outline, stroke: Stroke) -> Iterator[Outline]:
-    """The dashes of a line, each an open line."""
+def _dashed(line: Outline, stroke: Stroke) -> list[Outline] | None:
+    """The dashes of a line, each an open line; None if there are too many."""
     pattern = np.array(stroke.dashes)
     period = float(pattern.sum())
     curves = line.curves
     lengths = curve_lengths(curves)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
     total = float(along[-1])
-    if period <= 0 or total / period * len(pattern) > MOST_PIECES:
-        yield line
-        return
+    if period <= 0:
+        return [line]
+    if total / period * len(pattern) > MOST_PIECES:
+        return None
+    dashes = []
     phase = stroke.dash_offset % period
     edges = np.cumsum(np.concatenate([[0.0], pattern]))
     for turn in range(int(np.floor((total + phase) / period)) + 1):
         for start, end in zip(edges[:-1:2], edges[1::2], strict=True):
             low, high = start + turn * period - phase, end + turn * period - phase
             if (high > 0 and low < total) or 0 <= low == high <= total:
-                yield _run(curves, along, max(low, 0.0), min(high, total))
+                dashes.append(_run(curves, along, max(low, 0.0), min(high, total)))
+    return dashes
 
 
 def _run(curves: Curves, along: Floats, low: float, high: float) -> Outline:

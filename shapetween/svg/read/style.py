@@ -15,6 +15,7 @@ from shapetween.svg.read.properties import (
     PAINTS,
     is_plain,
     is_supported,
+    is_too_long,
     is_valid,
     normal,
     reset,
@@ -98,7 +99,7 @@ class Cascade:
         """
         own: dict[str, str] = {}
         for name, value in element.items():
-            if is_plain(name) and is_valid(name, value, False):
+            if is_plain(name) and self._reads(name, value, False):
                 own[name] = value.strip()
         usual, important = self._matched.get(element, ((), ()))
         inline = _declarations(element.get("style", ""))
@@ -106,7 +107,7 @@ class Cascade:
             for layer in (*layers, inline):
                 below = dict(own)
                 for name, value, marked in layer:
-                    if marked == mark and is_valid(name, value):
+                    if marked == mark and self._reads(name, value):
                         _take(own, below, name, value)
 
         computed = {
@@ -123,10 +124,19 @@ class Cascade:
             self._warn(ANIMATED)
         return computed
 
+    def _reads(self, name: str, value: str, styled: bool = True) -> bool:
+        """Whether a value can override another; of one that is too long it is told."""
+        if is_too_long(name, value):
+            self._warn(f"a value of {name[:40]} that is too long was left out")
+        return is_valid(name, value, styled)
+
     def _set_custom(self, computed: dict[str, str], own: Mapping[str, str]) -> None:
         """Take in custom properties, each with what it names put in."""
         fresh = [name for name in own if name.startswith("--")]
-        fresh = fresh[: max(0, MOST_PROPERTIES - len(computed))]
+        room = max(0, MOST_PROPERTIES - len(computed))
+        if len(fresh) > room:
+            self._warn("custom properties of its style were left out: there are too many")
+        fresh = fresh[:room]
         computed.update((name, own[name]) for name in fresh)
         for name in fresh:
             value = computed[name]

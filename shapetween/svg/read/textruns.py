@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element
 from shapetween.svg.read.document import Document
 from shapetween.svg.read.frames import Frame
 from shapetween.svg.read.placing import conditions_met, font_size
-from shapetween.svg.read.xml import local_name
+from shapetween.svg.read.xml import label, local_name
 
 __all__ = ["Character", "characters_of", "families_of", "is_slanted", "weight_of"]
 
@@ -63,6 +63,8 @@ def characters_of(document: Document, element: Element, frame: Frame) -> list[Ch
     """
     found: list[Character] = []
     _collect(document, element, frame, None, found)
+    if len(found) > MOST_CHARACTERS:
+        document.losses.add("a text of too many characters was cut short", label(element))
     return _folded(element, found[:MOST_CHARACTERS])
 
 
@@ -89,7 +91,7 @@ def _collect(
                 _collect(document, child, inner, on, found, depth + 1)
         _add(child.tail, element, frame, path, found)
     for name in ("x", "y", "dx", "dy", "rotate"):
-        values = _values(element.get(name), name, frame)
+        values = _values(document, element.get(name), name, frame)
         for k, value in enumerate(values):
             if start + k < len(found):
                 found[start + k].places.setdefault(name, value)
@@ -110,12 +112,15 @@ def _add(
             found.append(Character(letter, frame, element, path, {}))
 
 
-def _values(text: str | None, name: str, frame: Frame) -> list[float]:
+def _values(document: Document, text: str | None, name: str, frame: Frame) -> list[float]:
     if text is None:
         return []
     of = frame.viewport.width if name in ("x", "dx") else frame.viewport.height
     values = []
-    for word in text.replace(",", " ").split()[:MOST_VALUES]:
+    words = text.replace(",", " ").split()
+    if len(words) > MOST_VALUES:
+        document.losses.add("a list of too many places of letters was cut short")
+    for word in words[:MOST_VALUES]:
         value = frame.viewport.length(word, of)
         if value is None:
             break

@@ -18,8 +18,9 @@ NUMBER = r"(?>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
 #: Functions of one list that are read; more were not written by anybody.
 MOST_FUNCTIONS = 1000
 
-_FUNCTION = re.compile(r"\s*,?\s*([A-Za-z]+)\s*\(([^()]*)\)", re.ASCII)
-_ARGUMENT = re.compile(rf"\s*,?\s*({NUMBER})\s*", re.ASCII)
+# Possessive, and matched from where the last one ended: white space is run through once.
+_FUNCTION = re.compile(r"\s*+(?:,\s*+)?+([A-Za-z]++)\s*+\(([^()]*+)\)", re.ASCII)
+_ARGUMENT = re.compile(rf"\s*+(?:,\s*+)?+({NUMBER})", re.ASCII)
 
 
 def _rotate(degrees: float, x: float = 0.0, y: float = 0.0) -> Affine:
@@ -50,11 +51,11 @@ def parse_transform(text: str) -> Affine | None:
     if text.strip() in ("", "none"):
         return IDENTITY
     matrix = IDENTITY
-    position = 0
-    for count, found in enumerate(_FUNCTION.finditer(text)):
-        if found.start() != position or count == MOST_FUNCTIONS:
+    count = position = 0
+    while (found := _FUNCTION.match(text, position)) is not None:
+        if count == MOST_FUNCTIONS:
             return None
-        position = found.end()
+        count, position = count + 1, found.end()
         step = _function(found[1], found[2])
         if step is None:
             return None
@@ -71,9 +72,7 @@ def _function(name: str, text: str) -> Affine | None:
     least, most, build = _FUNCTIONS[name]
     values = []
     position = 0
-    for found in _ARGUMENT.finditer(text):
-        if found.start() != position:
-            return None
+    while (found := _ARGUMENT.match(text, position)) is not None:
         position = found.end()
         values.append(float(found[1]))
     if not all(map(isfinite, values)):

@@ -9,6 +9,7 @@ from shapetween.base.errors import InputError, OptionError
 from shapetween.io.fonts import fonts_in
 from shapetween.model.drawing import Drawing
 from shapetween.model.paint import Colour
+from shapetween.svg.read import textruns
 from shapetween.svg.read.document import Fonts
 from shapetween.svg.read.properties import unfolded
 from shapetween.svg.read.reader import read_svg
@@ -186,3 +187,22 @@ def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
 def test_the_shorthand_of_fonts(text: str, expected: dict[str, str]) -> None:
     assert unfolded("font", text).items() >= expected.items()
     assert unfolded("font", "nonsense") == {"font": "nonsense"}
+
+
+def test_of_too_long_a_text_it_is_told_what_is_cut(
+    fonts: Fonts, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    most = 4
+    monkeypatch.setattr(textruns, "MOST_CHARACTERS", most)
+    for count, lost in ((most, 0), (most + 1, 1)):
+        losses = read(fonts, f'<text id="t">{"a" * count}</text>').warnings
+        assert [loss for loss in losses if "too many characters" in loss and "t" in loss] == (
+            ["a text of too many characters was cut short: t"] * lost
+        )
+
+
+def test_of_too_many_places_of_letters_it_is_told(fonts: Fonts) -> None:
+    most = textruns.MOST_VALUES
+    for count, lost in ((most, 0), (most + 1, 1)):
+        losses = read(fonts, f'<text x="{"1 " * count}">a</text>').warnings
+        assert losses == ("a list of too many places of letters was cut short",) * lost

@@ -63,3 +63,14 @@ def test_a_list_maps_the_last_function_first(outer: list[float], inner: list[flo
     expected = mapped(mapped(point, affine(*inner)), affine(*outer))
     np.testing.assert_allclose(mapped(point, matrix), expected, atol=1e-6)
     np.testing.assert_allclose(compose(affine(*outer), affine(*inner)), matrix)
+
+
+def test_white_space_is_run_through_once() -> None:
+    """A pattern that could match it in many ways took minutes, and more with every character."""
+    gap = " " * 100_000
+    assert (
+        parse_transform(f"scale({gap}2{gap},{gap}3{gap}){gap},{gap}scale({gap}1{gap}){gap}")
+        is not None
+    )
+    assert parse_transform(f"scale(1){gap}x") is None
+    assert parse_transform(f"scale(1{gap}x)") is None
