@@ -22,6 +22,7 @@ Kind: TypeAlias = Literal[
     "hole-alone",
     "apart",
     "one-setting",
+    "less-care",
     "too-many-parts",
     "by-corners",
     "no-mesh",
@@ -41,7 +42,8 @@ outlines or small details of them cross on the way. coarse: matched or moved by 
 outline. bare-mesh: nothing keeps the outline from folding. too-many-pieces, too-many-holes: some
 are moved more simply. hole-alone: a hole that has a counterpart cannot be matched with it. apart:
 pieces are not kept from each other. one-setting: less is tried to keep an outline from crossing.
-too-many-parts: some of what is seen of smaller drawings is not looked for. by-corners: an outline
+less-care: an outline of so many curves is meshed or looked at more coarsely. too-many-parts: some
+of what is seen of smaller drawings is not looked for. by-corners: an outline
 moves by its corners where a mesh was due. no-mesh: the report has no mesh of a pair.
 stroke-outline: the area of a stroke does not follow its line. facing: the drawings seem to face
 opposite ways. exchanged: the drawings have too little in common for their parts to become each

@@ -105,6 +105,12 @@ def fallback_notices(bodies: list[Carried], name: str) -> list[Notice]:
                 severity="note",
             )
         )
+    if any(ring.unevened for body in bodies for ring in body.nodes.rings):
+        text = "a mesh of so many vertices inside is not evened"
+        notices.append(Notice("less-care", text, name, "they stay where they are", "note"))
+    if any(body.nodes.many for body in bodies):
+        text = "so many curves are looked at for crossings by fewer chords"
+        notices.append(Notice("less-care", text, name, "small crossings may be missed", "note"))
     return notices
 
 

@@ -6,7 +6,7 @@ from shapetween.base.arrays import Floats, Index, Points
 from shapetween.geometry.polygon import corner_sines
 from shapetween.mesh.quality import MIN_CORNER_SINE, face_figures
 
-__all__ = ["joined_triangles", "smoothed"]
+__all__ = ["is_too_large", "joined_triangles", "smoothed"]
 
 #: Shares of the way to the middle of its neighbours that a vertex is tried at.
 STEPS = np.array([0.0, 0.15, 0.4, 0.8])
@@ -20,6 +20,11 @@ MOST_VERTICES = 600
 
 #: Least gain in a corner's sine that a vertex is moved for.
 LEAST_GAIN = 1e-3
+
+
+def is_too_large(count: int, first: int) -> bool:
+    """Whether the inner vertices of a mesh, from the first of them on, stay where they are."""
+    return first < count > MOST_VERTICES
 
 
 def smoothed(points: Points, first: int, faces: list[Index]) -> Points:
@@ -38,9 +43,9 @@ def smoothed(points: Points, first: int, faces: list[Index]) -> Points:
     -------
     (2, V, 2) float64
     """
-    count = points.shape[1]
-    if count > MOST_VERTICES:
+    if is_too_large(points.shape[1], first):
         return points
+    count = points.shape[1]
     points = points.copy()
     together = np.eye(count, dtype=bool)
     near = np.zeros((count, count))

@@ -15,6 +15,7 @@ from shapetween.geometry.bezier import flatten
 from shapetween.geometry.linearmaps import as_complex, squared
 from shapetween.geometry.polygon import polygon_area
 from shapetween.match.correspondence import Correspondence
+from shapetween.mesh.inner import is_too_large
 from shapetween.mesh.pair import MeshPair
 from shapetween.model.outline import Outline
 from shapetween.outline.carry import Carrier
@@ -76,6 +77,18 @@ class RingMatch:
     pair: MeshPair | None
     found: str
     upright: bool = False
+
+    @property
+    def unevened(self) -> bool:
+        """Whether a mesh was found whose inner vertices are too many to be moved to better faces.
+
+        The boundary's vertices come first: of a disc, there are two more of them than triangles.
+        """
+        if self.pair is None or self.found == "given":
+            return False
+        count = len(self.pair.source)
+        faces = 2 * len(self.pair.quads) + len(self.pair.triangles)
+        return is_too_large(count, 2 * count - faces - 2)
 
     @property
     def ends(self) -> tuple[Outline, Outline]:
@@ -144,6 +157,11 @@ class Nodes:
             )
             for ring, k, part in zip(self.rings, self.chosen, self.parts, strict=True)
         )
+
+    @property
+    def many(self) -> bool:
+        """Whether there are so many curves that not each is looked at in `LEAST_CHORDS`."""
+        return LEAST_CHORDS * sum(carrier.count for carrier in self.carriers) > MOST_POINTS
 
     def curves(self, vertices: Points, t: Floats) -> Curves:
         """Control points, ring after ring, (F, P, 4, 2), for vertices that begin with the nodes.

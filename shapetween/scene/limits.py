@@ -4,14 +4,15 @@ Only what is left out as a whole is told; stages that go on with the largest, or
 what there is (corners of an outline, relations of pairs) are not.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from shapetween.base.notices import Notice
-from shapetween.scene import attachments, borders, features, limbs
+from shapetween.scene import attachments, borders, features, items, limbs
 from shapetween.scene.assign import Roles
 from shapetween.scene.items import Item
 from shapetween.scene.relations import Scene
 from shapetween.scene.strokes import outlined
+from shapetween.scene.unmatched import presence
 
 __all__ = ["limits_of_items", "limits_of_pairs"]
 
@@ -30,6 +31,9 @@ def limits_of_items(first: Sequence[Item], second: Sequence[Item]) -> tuple[Noti
         found.append(f"of more than {limbs.MOST_ITEMS} parts none is looked for strokes on bodies")
     if max(map(len, sides)) > features.MOST_ITEMS:
         found.append(f"of more than {features.MOST_ITEMS} parts none is looked for faces or wheels")
+    sampled = items.MOST_CHORDS // items.CHORDS
+    if any(len(ring.curves) > sampled for side in sides for item in side for ring in item.rings):
+        found.append(f"outlines of more than {sampled} curves are seen by fewer places on each")
     return tuple(map(_note, found))
 
 
@@ -42,7 +46,21 @@ def limits_of_pairs(a: Scene, b: Scene, roles: Roles) -> tuple[Notice, ...]:
         )
     if len(borders.bordered_areas(a, b, roles)) > borders.MOST:
         found.append(f"of more than {borders.MOST} areas it is not looked for common borders")
+    carrying = (scene.items[k] for scene, k in _paired(a, b, roles))
+    if len(roles.disappearing) + len(roles.appearing) and any(
+        sum(len(ring.curves) for ring in item.rings) > presence.MANY_CURVES for item in carrying
+    ):
+        found.append(
+            f"what an outline of more than {presence.MANY_CURVES} curves carries follows it at "
+            f"{presence.EVEN_TIMES} times"
+        )
     return tuple(map(_note, found))
+
+
+def _paired(a: Scene, b: Scene, roles: Roles) -> Iterator[tuple[Scene, int]]:
+    for role in roles.pairs:
+        yield a, role.first
+        yield b, role.second
 
 
 def _note(text: str) -> Notice:

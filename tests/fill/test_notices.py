@@ -1,6 +1,7 @@
 """Every way around a difficulty is told, as data and as a warning."""
 
 from collections.abc import Sequence
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -11,10 +12,11 @@ from shapetween.base.observe import unobserved
 from shapetween.fill import morph
 from shapetween.fill.morph import morph_fill
 from shapetween.fill.settings import FillSettings
+from shapetween.mesh import inner
 from shapetween.model.drawing import Box, Drawing, Shape
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Style
-from shapetween.outline import unfold
+from shapetween.outline import body, unfold
 from shapetween.pipeline import Options, prepare
 from tests.drawings import ring, square
 
@@ -99,3 +101,48 @@ def test_less_care_of_many_pieces_or_curves_is_told(
     settings = FillSettings("projective", "prevent", None, np.zeros((0, 4)), [], unobserved)
     _, said = morph_fill(first.shapes[0], second.shapes[0], settings, ("a", "b"), alone=True)
     assert {notice.severity for notice in said if notice.kind == kind} == {"note"}
+
+
+@pytest.mark.parametrize(
+    ("module", "limit", "most", "says"),
+    [(body, "MOST_POINTS", 8 * 8, "chords"), (inner, "MOST_VERTICES", 4, "not evened")],
+)
+def test_less_care_of_large_outlines_is_told(
+    monkeypatch: pytest.MonkeyPatch, module: ModuleType, limit: str, most: int, says: str
+) -> None:
+    star = ring([(50, 5), (60, 40), (95, 50), (60, 60), (50, 95), (40, 60), (5, 50), (40, 40)])
+    around = [
+        (10, 10),
+        (90, 10),
+        (90, 90),
+        (10, 90),
+        (10, 30),
+        (70, 30),
+        (70, 70),
+        (30, 70),
+        (30, 50),
+    ]
+    back = [
+        (50, 50),
+        (50, 60),
+        (60, 60),
+        (60, 40),
+        (20, 40),
+        (20, 80),
+        (80, 80),
+        (80, 20),
+        (10, 20),
+    ]
+    spiral = ring(around + back)
+    meshed = Options(together=False)
+
+    def told() -> list[Notice]:
+        notices = prepare(drawing(star), drawing(spiral), meshed).notices
+        return [each for each in notices if each.kind == "less-care"]
+
+    assert not told()
+    monkeypatch.setattr(module, limit, most)
+    (notice,) = told()
+    assert says in notice.message
+    assert notice.severity == "note"
+    assert notice.place

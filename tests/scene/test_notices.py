@@ -8,12 +8,12 @@ import pytest
 import shapetween as st
 from shapetween.base.errors import OutlineError
 from shapetween.base.notices import Notice
-from shapetween.scene import attachments, borders, features, likeness, limbs, movement
+from shapetween.scene import attachments, borders, features, items, likeness, limbs, movement
 from shapetween.scene.cuts import lines
 from shapetween.scene.kept import coinciding, drawings
 from shapetween.scene.motion import choose
 from shapetween.scene.strokes import outlined
-from shapetween.scene.unmatched import part
+from shapetween.scene.unmatched import part, presence
 
 ICON = 'fill="none" stroke="#000" stroke-width="2"'
 INPUTS = Path(__file__).resolve().parents[2] / "gallery/inputs"
@@ -174,3 +174,24 @@ def test_what_is_outside_of_the_view_does_not_move(tmp_path: Path, end: int) -> 
     wide = SOLID + '<path d="M-.5 2v9" stroke="#000" stroke-width="2"/>'
     assert "outside" not in told(tmp_path, wide, HEAD)
     assert "outside" not in told(tmp_path, beside, HEAD)
+
+
+def test_what_large_outlines_carry_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(presence, "MANY_CURVES", 4)
+    moved = SOLID.replace("M3 3", "M3 4")
+    assert not told(tmp_path, SOLID, moved)
+    notice = told(tmp_path, SOLID, moved + '<path fill="#fff" d="M5 6h3v3h-3z"/>')["too-many-parts"]
+    assert "carries" in notice.message
+    assert notice.severity == "note"
+
+
+def test_outlines_seen_by_fewer_places_are_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    moved = SOLID.replace("M3 3", "M3 4")
+    monkeypatch.setattr(items, "MOST_CHORDS", 8 * items.CHORDS)
+    assert not told(tmp_path, SOLID + DOT, moved + DOT)
+    monkeypatch.setattr(items, "MOST_CHORDS", 7 * items.CHORDS)
+    notice = told(tmp_path, SOLID + DOT, moved + DOT)["too-many-parts"]
+    assert "fewer places" in notice.message
+    assert notice.severity == "note"
