@@ -22,6 +22,10 @@ GROUND_WAY, GROUND_SIZES = 0.12, 2.0
 #: Greatest difference of colours of the ground.
 GROUND_COLOUR = 0.15
 
+#: Opacity from which on a thing below all else is ground. More see-through, and it is the shadow of
+#: what stands there: it would stay as a plank below what shrinks.
+GROUND_OPACITY = 0.5
+
 #: When the first drawing goes, and when the second comes: it shrinks to nothing first, before half
 #: of the time, so that no frame half-way is blank. Of 14 pairs of icons that three saw blindly
 #: two found all ready so, one 13. Overlapping, both are a lump in the middle; where one
@@ -125,6 +129,7 @@ def _is_ground(i: int, j: int, a: Scene, b: Scene) -> bool:
     )
     return bool(
         grounds
+        and min(a.colours[i, 3], b.colours[j, 3]) > GROUND_OPACITY
         and np.linalg.norm(a.centres[i] - b.centres[j]) < GROUND_WAY * scale
         and abs(np.log(a.sizes[i] / b.sizes[j])) < np.log(GROUND_SIZES)
         and np.abs(a.colours[i] - b.colours[j]).sum() < GROUND_COLOUR

@@ -121,6 +121,15 @@ def test_the_ground_that_both_stand_on_stays(tmp_path: Path) -> None:
     assert np.array(boxes(found, 0.4))[:, 1, 1].max() < 98 + 1e-6
 
 
+@pytest.mark.parametrize(("opacity", "stays"), [(0.4, False), (0.6, True)])
+def test_a_shadow_goes_with_what_stands_on_it(tmp_path: Path, opacity: float, stays: bool) -> None:
+    shadow = GROUND.replace('fill="#ddd"', f'fill="#000" fill-opacity="{opacity}"')
+    found = made(tmp_path, shadow + CAR, shadow + STAR)
+    assert is_exchanged(found)
+    wide = [np.isclose(box[1, 0] - box[0, 0], 60) for box in boxes(found, 0.4)]
+    assert any(wide) == stays
+
+
 def test_a_face_stays_and_only_its_mouth_moves(tmp_path: Path) -> None:
     assert not is_exchanged(made(tmp_path, FACE, SAD))
 
