@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from shapetween.base.errors import InputError, OptionError
+from shapetween.base.errors import OptionError
 from shapetween.io import files
 
 __all__ = ["fonts_in"]
@@ -74,7 +74,7 @@ def fonts_in(
     Raises
     ------
     OptionError
-        If there is no such folder.
+        If there is no such folder; from the callable, if it holds no font.
     """
     if folder is not None and not Path(folder).is_dir():
         raise OptionError(f"font {folder}: expected a folder that holds fonts")
@@ -85,6 +85,8 @@ def fonts_in(
 
     def found(family: str, weight: int, slanted: bool) -> tuple[str, bytes, int] | None:
         own = _faces(Path(folder)) if folder is not None else ()
+        if folder is not None and not own:
+            raise OptionError(f"font {folder}: holds no font that can be read")
         for faces in (own, _installed()):
             for name in (family, *ALIKE.get(family, ()), *GENERIC.get(family, ())):
                 known = [face for face in faces if name in face.families or not family]
@@ -142,17 +144,16 @@ def _faces(folder: Path) -> tuple[_Face, ...]:
 
 def _faces_of(place: Path) -> list[_Face]:
     """The fonts in one file; none if it is damaged."""
-    from fontTools.ttLib import TTCollection, TTFont, TTLibError
+    from fontTools.ttLib import TTCollection, TTFont
 
     try:
-        if place.suffix.lower() in (".ttc", ".otc"):
-            with TTCollection(place, lazy=True) as collection:
-                return [_face(place, k, font) for k, font in enumerate(collection.fonts)]
-        with TTFont(place, lazy=True) as font:
-            return [_face(place, 0, font)]
-    except (TTLibError, InputError, OSError, KeyError, ValueError, AssertionError, ImportError):
-        return []
-    except Exception:
+        with place.open("rb") as file:  # fontTools leaves open what it fails to read
+            if place.suffix.lower() in (".ttc", ".otc"):
+                fonts = TTCollection(file, lazy=True).fonts
+            else:
+                fonts = [TTFont(file, lazy=True)]
+            return [_face(place, k, font) for k, font in enumerate(fonts)]
+    except Exception:  # a damaged table leads fontTools to anything
         return []
 
 

@@ -67,6 +67,10 @@ def pattern_texture(
     return _texture(document, element, frame, definitions=True)
 
 
+#: What is told of a pattern's image; those outside of patterns are told where they are drawn.
+LOST_IN_PATTERN = "an image in a pattern is not in the file or its folder and was left out"
+
+
 def picture_texture(document: Document, placed: Placed, box: Box) -> Texture | None:
     """What an ``image`` shows; None, with a warning, if it cannot be had.
 
@@ -163,7 +167,10 @@ def _definitions(document: Document) -> str:
     """All that a document holds, without addresses of anything outside it."""
     if document.definitions is None:
         children = [copy.deepcopy(child) for child in document.root]
-        for element in (part for child in children for part in child.iter()):
+        every = [part for child in children for part in child.iter()]
+        patterns = (each for each in every if local_name(each) == "pattern")
+        in_patterns = {part for pattern in patterns for part in pattern.iter()}
+        for element in every:
             if not isinstance(element.tag, str):
                 continue
             if element.tag == local_name(element):
@@ -176,6 +183,8 @@ def _definitions(document: Document) -> str:
                     element.attrib.pop(name, None)
                 if inside:
                     element.set("href", inside)
+                elif is_picture and element in in_patterns:
+                    document.losses.add(LOST_IN_PATTERN, address[:40])
         document.definitions = "".join(ET.tostring(child, "unicode") for child in children)
     return document.definitions
 

@@ -4,6 +4,7 @@ import pytest
 
 from shapetween.model.paint import Colour, Texture
 from shapetween.svg.read.reader import read_svg
+from shapetween.svg.textures import LOST_IN_PATTERN
 
 SQUARE = '<path id="s" fill="url(#p)" d="M0 0H9V9H0Z"/>'
 
@@ -51,3 +52,12 @@ def test_pictures_without_a_size_are_not_drawn(size: str) -> None:
     assert read(f'<image href="a.png" {size}/><path d="M0 0H9V9Z"/>', **{"a.png": "data:x"}) == [
         None
     ]
+
+
+def test_an_image_that_a_pattern_lacks_is_told() -> None:
+    tile = '<pattern id="p"><image href="near.png"/><image href="far.png"/></pattern>'
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">{SQUARE}{tile}</svg>'
+    found = {"near.png": "data:image/png;base64,AAAA"}
+    (told,) = read_svg(text.encode(), "it", pictures=found.get).warnings
+    assert told.startswith(LOST_IN_PATTERN)
+    assert "far.png" in told

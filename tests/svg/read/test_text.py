@@ -175,6 +175,14 @@ def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
         fonts_in(tmp_path / "none")
 
 
+def test_a_folder_without_a_sound_font_is_refused(tmp_path: Path, folder: Path) -> None:
+    for cut in (0, 200):
+        (tmp_path / "a.ttf").write_bytes((folder / "squares.ttf").read_bytes()[:cut])
+        with pytest.raises(OptionError, match="no font that can be read"):
+            read(fonts_in(tmp_path), '<text y="100">ab</text>')
+        fonts_in(tmp_path)  # nobody asks for one
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
