@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from shapetween.base.arrays import Complex, Floats, Index, Mask
+from shapetween.deform.check import simple_frames
 from shapetween.deform.keyed import KeyedMotion
 from shapetween.deform.schedule import CHECKED_TIMES
 from shapetween.geometry.bezier import flatten
-from shapetween.geometry.linearmaps import as_complex
+from shapetween.geometry.linearmaps import as_complex, as_points
 from shapetween.outline.body import Carried, Nodes
 from shapetween.outline.pushing import pushed
 
@@ -126,14 +127,17 @@ def parted(body: Carried) -> Carried | None:
     backwards = bool(lengths[0] > lengths[1])  # so that the way back is the same
     step = -1 if backwards else 1
     places = _places(nodes, body.counts, shown)
-    pushes = _pushes(shown[::step], ~simple[::step], places, len(nodes.ends[0]))[::step]
+    found = _pushes(shown[::step], ~simple[::step], places, len(nodes.ends[0]))
+    if found is None:
+        return None
+    pushes = found[::step]
     for smoothing in SMOOTHINGS:
         smooth = pushes.copy()
         for _ in range(smoothing):
             smooth[1:-1] = (smooth[:-2] + 2 * smooth[1:-1] + smooth[2:]) / 4
-        found = pushed(body, motion, smooth)
-        if not found.crossing:
-            return replace(found, parted=True)
+        moved = pushed(body, motion, smooth)
+        if not moved.crossing:
+            return replace(moved, parted=True)
     return None
 
 
@@ -170,17 +174,23 @@ def _places(nodes: Nodes, counts: tuple[int, ...], shown: Complex) -> _Places:
     return _Places(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
-def _pushes(shown: Complex, crossing: Mask, places: _Places, nodes: int) -> Complex:
-    """How far each node is to move at every time, (F, N), nothing at both ends."""
+def _pushes(shown: Complex, crossing: Mask, places: _Places, nodes: int) -> Complex | None:
+    """How far each node is to move at every time, (F, N), nothing at both ends.
+
+    None where strands stay crossed however they are pushed; what comes after would be for nothing.
+    """
     found = np.zeros((len(shown), nodes), dtype=np.complex128)
     size = max(float(np.ptp(shown.real[0])), float(np.ptp(shown.imag[0])))
     bad = np.flatnonzero(crossing)
+    sizes = tuple(np.bincount(places.ring).tolist())
     valid, push = shown[bad[0] - 1], found[0]
     for k in range(int(bad[0]), len(shown) - 1):
         if k > bad[-1] and np.abs(push).max() < NO_PUSH * size:
             break
         push = _without_contacts(shown[k], EASED * push, valid, places, size)
         found[k], valid = push, shown[k] + places.moved(push)
+        if not simple_frames(as_points(valid)[None], sizes).all():
+            return None
     return found
 
 

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from shapetween.base.arrays import Floats
+from shapetween.base.arrays import Complex, Floats
 from shapetween.base.observe import unobserved
 from shapetween.deform.keyed import KeyedMotion
 from shapetween.deform.schedule import CHECKED_TIMES
@@ -131,3 +131,15 @@ def test_what_is_parted_is_known(by: float) -> None:
     assert found is not None
     curves = found.curves(TIMES[8:-8:12])
     assert_known("outline", f"arms that lean by {by}", curves[:, ::3, 0].ravel().tolist())
+
+
+def test_strands_that_stay_crossed_are_given_up_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried = []
+
+    def stuck(shown: Complex, push: Complex, *rest: object) -> Complex:
+        tried.append(len(shown))
+        return push
+
+    monkeypatch.setattr(parting, "_without_contacts", stuck)
+    assert parted(closing(1.5)) is None
+    assert len(tried) == 1
