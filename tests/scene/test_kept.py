@@ -762,3 +762,38 @@ def test_a_ring_full_of_holes_is_exchanged_as_a_whole_and_no_ground() -> None:
     assert "exchanged" in {notice.kind for notice in found.notices}
     areas = [drawn(frame).area for frame in found.movement.at(T)]
     assert max(areas) <= 1.01 * max(own.area for own in wheels)
+
+
+@pytest.mark.parametrize("comes", [True, False])
+def test_a_tick_over_a_gap_opens_after_that_has_closed(comes: bool) -> None:
+    body = shapely.box(10, 10, 90, 90)
+    gap = body.difference(shapely.box(10, 34, 90, 42))
+    tick = shapely.LineString([(34, 56), (46, 68), (66, 36)]).buffer(4, cap_style="flat")
+    ends = path(gap), path(body.difference(tick))
+    found = frames(*(ends if comes else ends[::-1]))[:: 1 if comes else -1]
+    assert off(found[4], body) < 0.1
+    for area in found[1:4]:  # the gap is one all along, and nothing else is open
+        assert body.difference(area).difference(body.difference(gap)).area < 0.1
+    for area in found[5:]:
+        hole = body.difference(area)
+        assert hole.difference(tick.envelope).area < 0.1
+        assert len([part for part in shapely.get_parts(hole) if part.area > 0.01]) == 1
+
+
+@pytest.mark.parametrize(("height", "stays"), [(24, True), (80, False)])
+def test_a_line_is_no_side_of_a_frame_that_it_becomes(height: float, stays: bool) -> None:
+    line = shapely.box(10, 10, 18, 90)
+    # A short frame at its foot is a part that it gets.
+    frame = shapely.box(10, 90 - height, 60, 90).difference(shapely.box(18, 98 - height, 52, 82))
+    ends = path(line), path(frame.union(line))
+    sides = [items_of(read_svg(f"{PAGE}{end}</svg>".encode(), "x").shapes, "x")[0] for end in ends]
+    assert bool(kept_drawings(sides[0], sides[1], ()).areas) is stays
+
+
+def test_a_pupil_does_not_close_for_the_half_of_it_that_a_slash_leaves() -> None:
+    eye, pupil = shapely.box(0, 20, 100, 80), shapely.box(36, 36, 64, 64)
+    slash = shapely.LineString([(10, 10), (90, 90)]).buffer(4, cap_style="flat")
+    gap = shapely.LineString([(10, 2), (98, 90)]).buffer(4, cap_style="flat")
+    ends = eye.difference(pupil), eye.difference(pupil).difference(gap).union(slash)
+    found = frames(*(path(end) for end in ends))
+    assert all(pupil.difference(area).area > 0.2 * pupil.area for area in found)

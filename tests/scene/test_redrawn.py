@@ -59,3 +59,16 @@ def test_a_letter_that_is_little_but_its_bar_is_not_crossed_out() -> None:
     """A J shares nothing with an I but what lies beside its stem."""
     items = [items_of(drawn(letter).shapes, letter)[0] for letter in "IJ"]
     assert crossed_tracks((items[0], items[1]), 24.0) is None
+
+
+@pytest.mark.parametrize(("size", "is_one"), [(5.5, True), (9.5, False)])
+def test_what_has_a_thing_more_away_from_its_bar_is_not_only_crossed_out(
+    size: float, is_one: bool
+) -> None:
+    crossed = BODY.difference(SLASH.buffer(5)).union(SLASH)
+    more = crossed.union(shapely.box(14, 40, 14 + size, 40 + size))
+    items = [
+        items_of(read_svg(f"{PAGE}{path(area)}</svg>".encode(), "x").shapes, "x")[0]
+        for area in (BODY, more)
+    ]
+    assert (crossed_tracks((items[0], items[1]), 140.0) is not None) is is_one

@@ -25,6 +25,7 @@ from shapetween.scene.kept.changes import tracks_of_pieces
 from shapetween.scene.kept.coinciding import COLOUR, REACH, Coinciding, Family, Looked, Sides
 from shapetween.scene.kept.holes import (
     holes_in_turn,
+    holes_over_edges,
     loose_holes,
     matched_hole_pairs,
     matched_hole_track,
@@ -43,6 +44,11 @@ __all__ = ["Kept", "KeptArea", "kept_areas"]
 #: sides of a box that grows are wiped; larger, and an arrow in a cloud tears to point the other
 #: way. With more holes a table is black before it is another one; fewer, and the arrow tears.
 STEADY, OPENED = 0.55, 0.2
+
+
+#: The same of what else is kept. Smaller, and a line is held to be one side of the bar that it
+#: becomes; larger, and a bell leaves for one that is crossed out.
+SHARED_BY_BOTH = 0.38
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -191,7 +197,7 @@ def _tracks(
 ) -> tuple[tuple[CurveTrack, ...], Family] | None:
     """Tracks of all that is kept, comes and goes, and which of the items beside it are badges."""
     kept, found = looked.items, looked.snapped
-    if parts and min(found.common) < STEADY:
+    if min(found.common) < (STEADY if parts else SHARED_BY_BOTH):
         return None
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
     chords = chords_of([*found.first, *found.second])
@@ -217,6 +223,11 @@ def _tracks(
         paired.add(k)
         ring = loose[side][holes[side].index(k)]
         moving.append(InTurn(unmatched_hole_track(ring, closes=side == 0), first=side == 0))
+    over = holes_over_edges(holes, paired, chords.polylines, solid)
+    for side, k in over:
+        paired.add(k)
+        ring = loose[side][holes[side].index(k)]
+        moving.append(InTurn(unmatched_hole_track(ring, closes=side == 0), first=side == 0))
     laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)
     if not laid.pieces and not moving:
         return None
@@ -236,6 +247,9 @@ def _tracks(
     )
     if moved is None:
         return None
+    if over:
+        # What a hole lies across goes after that has closed, or comes before it opens.
+        moved = tuple(InTurn(track, first=over[0][0] == 1) for track in moved)
     taken: Family = ([], [])
     for badge in badges:
         own = badge_tracks(badge, near[badge.comes], laid)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "holes_in_turn",
+    "holes_over_edges",
     "loose_holes",
     "matched_hole_pairs",
     "matched_hole_track",
@@ -39,6 +40,11 @@ APART, GROWN = 0.8, 1.2
 
 #: Share of a hole, or of the way of two, that may lie outside of what is solid.
 STRAY = 0.02
+
+#: Share of a hole that may lie outside of what is solid in the other area for it to lie across an
+#: edge of that. Larger, and an arm that reaches round a hole comes before the hole opens; smaller,
+#: and a tick over a gap comes in pieces.
+ACROSS = 0.5
 
 #: Distance from its mirror image, as a share of its size, of a line that is its own.
 SYMMETRIC = 0.02
@@ -109,6 +115,40 @@ def holes_in_turn(
     if not found[0] or not found[1]:
         return []
     return [(side, k) for side in (0, 1) for k in found[side]]
+
+
+def holes_over_edges(
+    holes: tuple[list[int], list[int]],
+    paired: Collection[int],
+    polylines: Sequence[Points],
+    solid: tuple["shapely.Geometry", "shapely.Geometry"],
+) -> list[tuple[int, int]]:
+    """Holes without partners that lie across edges of the other area, which has none.
+
+    Clipped there they would come in pieces.
+
+    Parameters
+    ----------
+    holes, paired, polylines, solid
+        As for `holes_in_turn`.
+
+    Returns
+    -------
+    list of (int, int)
+        As of that.
+    """
+    import shapely
+
+    alone = [(side, k) for side in (0, 1) for k in holes[side] if k not in paired]
+    if len({side for side, _ in alone}) != 1:
+        return []
+    found = []
+    for side, k in alone:
+        area = shapely.make_valid(shapely.Polygon(polylines[k]))
+        out = area.difference(solid[1 - side]).area
+        if STRAY * area.area < out < ACROSS * area.area:
+            found.append((side, k))
+    return found
 
 
 def loose_holes(

@@ -34,8 +34,10 @@ PIECE = 1.6
 #: other one has not.
 MISSING, NEW = 0.06, 0.25
 
-#: Share of both that may differ away from the slash. Larger, and one thing is wiped into another.
-ELSEWHERE = 0.06
+#: Share of both that may differ away from the slash, and that one piece of it may take. Larger, and
+#: one thing is wiped into another, or a tick is cut to slivers that comes as a gap is filled;
+#: smaller, and an eye that is drawn thinner where it is crossed out leaves.
+ELSEWHERE, THING = 0.06, 0.025
 
 #: Least share of the drawing without the slash that lies away from it. Larger, and a pen that its
 #: slash lies along is wiped nowhere; smaller, and a J is an I crossed out by its stem.
@@ -74,7 +76,9 @@ def crossed_tracks(
         if bar is None:
             continue
         elsewhere = shapely.union_all(differences).difference(bar.around)
-        if elsewhere.area > ELSEWHERE * shapely.union_all(drawn).area:
+        whole = shapely.union_all(drawn).area
+        largest = max((part.area for part in shapely.get_parts(elsewhere).tolist()), default=0.0)
+        if elsewhere.area > ELSEWHERE * whole or largest > THING * whole:
             continue
         plain = drawn[1 - int(comes)]
         if plain.difference(bar.around).area < LEFT * plain.area:
