@@ -197,7 +197,8 @@ def _tracks(
 ) -> tuple[tuple[CurveTrack, ...], Family] | None:
     """Tracks of all that is kept, comes and goes, and which of the items beside it are badges."""
     kept, found = looked.items, looked.snapped
-    if min(found.common) < (STEADY if parts else SHARED_BY_BOTH):
+    least = STEADY if parts else 0.0 if bars else SHARED_BY_BOTH
+    if min(found.common) < least:
         return None
     counts = [len(i.rings) for i in kept[0]], [len(i.rings) for i in kept[1]]
     chords = chords_of([*found.first, *found.second])
