@@ -7,7 +7,7 @@ A stack of curves has shape (N, 4, 2): start, two handles, end.
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.base.arrays import Curves, Floats, Index, Points, row_lengths
 
 __all__ = [
     "bernstein",
@@ -64,11 +64,14 @@ def combined(weights: Floats, points: Points) -> Points:
     -----
     The product of matrices, added up in one order. A matrix library adds in whichever order suits
     the processor, and outlines would then differ in their last bit from one machine to the next.
+    Coordinates come first meanwhile: numpy starts anew for each row of a short last axis.
     """
-    total = weights[..., 0, None] * points[..., None, 0, :]
+    last = points.ndim - 1
+    rows = points.transpose(last, *range(last))
+    total = weights[..., 0] * rows[..., None, 0]
     for k in range(1, weights.shape[-1]):
-        total += weights[..., k, None] * points[..., None, k, :]
-    return np.asarray(total)
+        total += weights[..., k] * rows[..., None, k]
+    return np.ascontiguousarray(total.transpose(*range(1, total.ndim), 0))
 
 
 def derivatives(curves: Curves, t: Floats) -> Points:
@@ -84,12 +87,12 @@ def velocity_weights(t: Floats, axis: int = -1) -> Floats:
 
 def _beside(weights: tuple[Floats, ...], axis: int) -> Floats:
     """Weights on an axis of their own; what ``np.stack`` does, without its checks."""
-    shape = list(weights[0].shape)
-    shape.insert(axis % (len(shape) + 1), len(weights))
-    found = np.zeros(shape)
-    rows = np.moveaxis(found, axis, 0)
+    shape = weights[0].shape
+    place = axis % (len(shape) + 1)
+    found = np.zeros((*shape[:place], len(weights), *shape[place:]))
+    before = (slice(None),) * place
     for k, weight in enumerate(weights):
-        rows[k] = weight
+        found[(*before, k)] = weight
     return found
 
 
@@ -168,7 +171,7 @@ def curve_lengths(curves: Curves, start: Floats | float = 0.0, end: Floats | flo
     low, high = np.broadcast_arrays(np.asarray(start, float), np.asarray(end, float))
     low, high = np.broadcast_to(low, len(curves)), np.broadcast_to(high, len(curves))
     t = low[:, None] + (high - low)[:, None] * (nodes + 1) / 2
-    speed = np.linalg.norm(derivatives(curves, t), axis=-1)
+    speed = row_lengths(derivatives(curves, t))
     return np.asarray((speed * weights).sum(-1) * (high - low) / 2)
 
 
@@ -188,11 +191,11 @@ def end_tangents(curves: Curves) -> tuple[Points, Points]:
 
     def direction(points: Points) -> Points:
         offsets = points[..., 1:, :] - points[..., :1, :]
-        size = np.linalg.norm(offsets, axis=-1)
+        size = row_lengths(offsets)
         scale = size.max(axis=-1, keepdims=True)
         first = np.argmax(size > 1e-9 * scale, axis=-1)
         chosen = np.take_along_axis(offsets, first[..., None, None], axis=-2)[..., 0, :]
-        length = np.linalg.norm(chosen, axis=-1, keepdims=True)
+        length = row_lengths(chosen)[..., None]
         return np.asarray(chosen / np.where(length > 0, length, 1.0))
 
     return direction(curves), -direction(curves[..., ::-1, :])

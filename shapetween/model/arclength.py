@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from shapetween.base.arrays import Complex, Curves, Floats, Index, Points
+from shapetween.base.arrays import Complex, Curves, Floats, Index, Points, row_lengths
 from shapetween.base.errors import OutlineError
 from shapetween.geometry.bezier import bernstein, combined, sub_curves
 from shapetween.geometry.linearmaps import as_complex, as_points, squared
@@ -95,10 +95,12 @@ class ArcLength:
 
         Unit vectors; zero only at the very point of a cusp, where there is no direction.
         """
+        return self._heading(*self.locate(fraction))
+
+    def point_and_tangent(self, fraction: ArrayLike) -> tuple[Points, Points]:
+        """What `point` and `tangent` say, found at once."""
         curve, t = self.locate(fraction)
-        velocity = _velocity(self._steps[curve], t)
-        speed = np.linalg.norm(velocity, axis=-1, keepdims=True)
-        return np.asarray(velocity / np.where(speed > 0, speed, 1.0))
+        return self._at(curve, t), self._heading(curve, t)
 
     def locate(self, fraction: ArrayLike) -> Located:
         """Curve and parameter at fractions of the length.
@@ -108,7 +110,7 @@ class ArcLength:
         """
         s = np.asarray(fraction, dtype=np.float64)
         s = s - np.floor(s) if self.outline.closed else np.clip(s, 0.0, 1.0)
-        wanted = np.atleast_1d(s)
+        wanted = s.reshape(-1)
         ends = self._bounds[1:]
         last = int(np.searchsorted(ends, 1.0))  # the last piece with a length
         piece = np.minimum(np.searchsorted(ends, wanted, side="right"), last)
@@ -150,18 +152,18 @@ class ArcLength:
         part_curve = np.repeat(self._piece_curve, NEAREST_PARTS)
         start, end = cuts[:, :-1].ravel(), cuts[:, 1:].ravel()
         parts = sub_curves(self.outline.curves[part_curve], start, end)
-        reach = np.linalg.norm(flat[:, None] - parts[:, 0], axis=-1).min(axis=1)
-        reach = np.minimum(reach, np.linalg.norm(flat - parts[-1, 3], axis=-1))
+        reach = row_lengths(flat[:, None] - parts[:, 0]).min(axis=1)
+        reach = np.minimum(reach, row_lengths(flat - parts[-1, 3]))
         # Only a part whose box comes as near as the nearest cut can hold the nearest point.
         low, high = parts.min(axis=1), parts.max(axis=1)
         gap = np.maximum(np.maximum(low - flat[:, None], flat[:, None] - high), 0.0)
         # A whisker more, lest rounding shut out the very part.
-        who, part = np.nonzero(np.linalg.norm(gap, axis=-1) <= reach[:, None] * (1 + 1e-9))
+        who, part = np.nonzero(row_lengths(gap) <= reach[:, None] * (1 + 1e-9))
         curve, target = part_curve[part], flat[who]
         lowest, highest = start[part], end[part]
         middle = (lowest + highest) / 2
         t = self._closest(curve, target, middle, lowest, highest)
-        distance = np.linalg.norm(self._at(curve, t) - target, axis=-1)
+        distance = row_lengths(self._at(curve, t) - target)
         order = np.lexsort((t, curve, distance, who))
         chosen = order[np.searchsorted(who[order], np.arange(len(flat)))]
         fraction = self.fraction(curve[chosen], t[chosen])
@@ -170,6 +172,12 @@ class ArcLength:
     def _at(self, curve: Index, t: Floats) -> Points:
         """Points at parameters of curves, (..., 2)."""
         return combined(bernstein(t)[..., None, :], self.outline.curves[curve])[..., 0, :]
+
+    def _heading(self, curve: Index, t: Floats) -> Points:
+        """Directions of travel at parameters of curves, (..., 2)."""
+        velocity = _velocity(self._steps[curve], t)
+        speed = row_lengths(velocity)[..., None]
+        return np.asarray(velocity / np.where(speed > 0, speed, 1.0))
 
     def _pieces(self) -> tuple[Index, Floats, Floats, Floats]:
         """Curves cut until Gauss-Legendre integrates every piece: curve, start, end, length."""
@@ -216,7 +224,7 @@ class ArcLength:
                 break
             left, here, excess = left[rest], here[rest], excess[rest]
             low, high = low[rest], high[rest]
-            speed = np.linalg.norm(_velocity(speeds[rest], here), axis=-1)
+            speed = row_lengths(_velocity(speeds[rest], here))
             step = here - excess / np.where(speed > 0, speed, np.inf)
             inside = (step >= low) & (step <= high)
             t[left] = np.where(inside, step, (low + high) / 2)
