@@ -90,9 +90,9 @@ def _beside(weights: tuple[Floats, ...], axis: int) -> Floats:
     shape = weights[0].shape
     place = axis % (len(shape) + 1)
     found = np.zeros((*shape[:place], len(weights), *shape[place:]))
-    before = (slice(None),) * place
+    rows = found.transpose(place, *range(place), *range(place + 1, found.ndim))
     for k, weight in enumerate(weights):
-        found[(*before, k)] = weight
+        rows[k] = weight
     return found
 
 

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from shapetween.base.arrays import Affine, Floats, Points
+from shapetween.base.arrays import Affine, Complex, Floats, Points
+from shapetween.geometry.linearmaps import as_complex
 from shapetween.match.moments import area_moments
 from shapetween.model.arclength import ArcLength, arc_length
 from shapetween.model.outline import Outline
@@ -78,10 +79,14 @@ class _Whitened:
     root: Floats
     centroid: Points
 
-    def points(self, places: Floats) -> Floats:
+    def points(self, places: Floats) -> Complex:
         """Points as complex numbers."""
-        p = self.arcs.point(places)
-        return np.asarray(p[..., 0] + 1j * p[..., 1])
+        return as_complex(self.arcs.point(places))
+
+    def moving(self, places: Floats) -> tuple[Complex, Complex]:
+        """Points, and how they move along the outline, as complex numbers."""
+        found, headings = self.arcs.point_and_tangent(places)
+        return as_complex(found), as_complex(headings) * self.arcs.length
 
     def original(self, places: Floats) -> Floats:
         """Places along the outline as drawn."""
@@ -124,11 +129,11 @@ def register(source: Outline, target: Outline, pins: Floats | None = None) -> Af
     if len(shifts) == 0:
         return None
     shifts = shifts[np.argsort(-likeness[shifts], kind="stable")][:MOST_SHIFTS]
-    fits = [_refine(a, b, float(grid[k]), None) for k in shifts]
+    fits = _refined(a, b, grid[shifts], None)
     # A disc fits at every shift; then the one that does not turn is meant.
     upright = _unturned(a, b)
     start = int(np.argmax((product * np.exp(-1j * upright)).real))
-    fits.append(_refine(a, b, float(grid[start]), upright))
+    fits += _refined(a, b, grid[start : start + 1], upright)
     fits = [fit for fit in fits if fit.residual <= MET and _meets(a, b, fit, pins)]
     if not fits:
         return None
@@ -155,32 +160,39 @@ def _whiten(outline: Outline) -> _Whitened:
     return _Whitened(arc_length(white), arc_length(outline), root, centroid)
 
 
-def _refine(a: _Whitened, b: _Whitened, shift: float, angle: float | None) -> _Fit:
-    """Gauss-Newton for the shift, the best angle with it unless one is given."""
+def _refined(a: _Whitened, b: _Whitened, shifts: Floats, angle: float | None) -> list[_Fit]:
+    """Gauss-Newton for every shift, the best angle with it unless one is given; all at once."""
     grid = np.arange(0, SHIFT_SAMPLES, REFINE_STEP) / SHIFT_SAMPLES
     za = a.points(grid)
-    last = np.inf
-    while True:
-        zb = b.points(grid + shift)
-        direction = b.arcs.tangent(grid + shift) @ [1, 1j] * b.arcs.length
-        turn = np.angle((zb * za.conj()).sum()) if angle is None else angle
+    found = shifts.copy()
+    left, last = np.arange(len(found)), np.full(len(found), np.inf)
+    while len(left):
+        zb, direction = b.moving(grid + found[left, None])
+        turn = _angles(za, zb, angle)
         gap = zb - np.exp(1j * turn) * za
         if angle is None:  # what a rotation does, the shift need not do
             spin = 1j * np.exp(1j * turn) * za
-            direction = direction - spin * (
-                (direction * spin.conj()).real.sum() / (np.abs(spin) ** 2).sum()
-            )
-        strength = (np.abs(direction) ** 2).sum()
-        if strength < 1e-9 * len(grid) * b.arcs.length**2:
-            break
-        step = -(gap * direction.conj()).real.sum() / strength
-        shift += step
-        if not abs(step) < last:  # it converges quadratically, down to rounding; NaN ends it too
-            break
-        last = abs(step)
-    zb = b.points(grid + shift)
-    turn = float(np.angle((zb * za.conj()).sum())) if angle is None else angle
-    return _Fit(shift, turn, float(np.abs(zb - np.exp(1j * turn) * za).max()))
+            along = (direction * spin.conj()).real.sum(axis=1) / (np.abs(spin) ** 2).sum(axis=1)
+            direction = direction - spin * along[:, None]
+        strength = (np.abs(direction) ** 2).sum(axis=1)
+        held = ~(strength < 1e-9 * len(grid) * b.arcs.length**2)
+        left, last = left[held], last[held]
+        step = -(gap * direction.conj()).real.sum(axis=1)[held] / strength[held]
+        found[left] += step
+        going = np.abs(step) < last  # it converges quadratically, down to rounding; NaN ends it too
+        left, last = left[going], np.abs(step)[going]
+    zb = b.points(grid + found[:, None])
+    turn = _angles(za, zb, angle)
+    away = np.abs(zb - np.exp(1j * turn) * za).max(axis=1)
+    rows = zip(found.tolist(), turn[:, 0].tolist(), away.tolist(), strict=True)
+    return [_Fit(*row) for row in rows]
+
+
+def _angles(za: Complex, zb: Complex, angle: float | None) -> Floats:
+    """The best angle of each row of points, (S, 1), unless one is given."""
+    if angle is not None:
+        return np.full((len(zb), 1), angle)
+    return np.asarray(np.angle((zb * za.conj()).sum(axis=1, keepdims=True)))
 
 
 def _linear(a: _Whitened, b: _Whitened, angle: float) -> Floats:

@@ -189,13 +189,13 @@ def test_which_way_a_nearly_regular_copy_turns_is_known() -> None:
 
 def test_few_shifts_are_refined(monkeypatch: pytest.MonkeyPatch) -> None:
     counts: list[int] = []
-    refine = registering._refine
+    refine = registering._refined
 
     def counted(*arguments: Any) -> Any:
-        counts[-1] += 1
+        counts[-1] += len(arguments[2])
         return refine(*arguments)
 
-    monkeypatch.setattr(registering, "_refine", counted)
+    monkeypatch.setattr(registering, "_refined", counted)
     for one in (polygon(regular(50, 0.97)), rounded(star(3, 7)), polygon(star(8)), disc()):
         counts.append(0)
         register(one, one.transformed(rotation(0.3)))
@@ -250,7 +250,7 @@ def test_how_many_places_a_copy_is_looked_at_is_known(monkeypatch: pytest.Monkey
     points = registering._Whitened.points
 
     def counted(self: Any, places: Any) -> Any:
-        looked.add(len(places))
+        looked.add(places.shape[-1])
         return points(self, places)
 
     monkeypatch.setattr(registering._Whitened, "points", counted)

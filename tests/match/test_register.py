@@ -83,4 +83,12 @@ def test_pins_choose_among_equal_maps_and_forbid_others() -> None:
 
 def test_a_refinement_that_is_no_number_ends() -> None:
     white = registering._whiten(polygon(star(5)))
-    assert np.isnan(registering._refine(white, white, np.nan, None).shift)
+    (found,) = registering._refined(white, white, np.array([np.nan]), None)
+    assert np.isnan(found.shift)
+
+
+def test_shifts_are_refined_together_as_alone() -> None:
+    white = registering._whiten(rounded(star(3)))
+    shifts = np.array([0.01, 0.1, 0.27, 0.9])
+    together = registering._refined(white, white, shifts, None)
+    assert together == [registering._refined(white, white, k[None], None)[0] for k in shifts]
