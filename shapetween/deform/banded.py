@@ -56,8 +56,9 @@ def _from_side_to_side(graph: "csr_array[np.float64]") -> Index:
     """
     graph.sort_indices()
     degree = np.diff(graph.indptr)
-    lists = np.split(graph.indices, graph.indptr[1:-1])
-    beside = [row[np.argsort(degree[row], kind="stable")].tolist() for row in lists]
+    row = np.repeat(np.arange(len(degree)), degree)
+    beside = graph.indices[np.lexsort((degree[graph.indices], row))].tolist()
+    begin = graph.indptr.tolist()
     order: list[int] = []
     seen = [False] * len(degree)
     for start in np.argsort(degree, kind="stable").tolist():
@@ -67,7 +68,8 @@ def _from_side_to_side(graph: "csr_array[np.float64]") -> Index:
         reached = len(order)
         order.append(start)
         while reached < len(order):
-            for vertex in beside[order[reached]]:
+            here = order[reached]
+            for vertex in beside[begin[here] : begin[here + 1]]:
                 if not seen[vertex]:
                     seen[vertex] = True
                     order.append(vertex)

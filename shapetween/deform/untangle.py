@@ -138,8 +138,9 @@ class Untangler:
         best, waited, smoothed = (len(self.triangles) + 1, state.points), 0, 0
         worst = state.determinants.min()
         eps = LAST_EPS if worst > 0 else LAST_EPS + FIRST_EPS * abs(worst)
+        known, after = 0.0, 0.0
         for _ in range(MAX_STEPS):
-            before = self._energy(state, eps)
+            before, known = after if eps == known else self._energy(state, eps), eps
             moved = self._step(state, eps, before)
             if moved is None:
                 break
