@@ -19,6 +19,10 @@ from shapetween.scene.relations import Scene, perceive
 
 __all__ = ["contents_apart"]
 
+#: Cost of a pair below which it is one thing in one place, which stays. Larger, and a digit on a
+#: calendar becomes the hole of a guitar; smaller, and the shine of a case leaves to come again.
+SURE = -1.0
+
 
 def contents_apart(
     a: Scene, b: Scene, roles: Roles, tracks: Mapping[int, Sequence[CurveTrack]]
@@ -38,22 +42,20 @@ def contents_apart(
     if not any(role.reason == "matched" for role in roles.pairs):
         return found
     scale = (a.scale + b.scale) / 2
-    alike = [
-        np.isin(np.arange(len(scene.items)), [r for r, role in own if role.reason == "alike"])
-        for scene, own in (
-            (a, [(role.first, role) for role in roles.pairs]),
-            (b, [(role.second, role) for role in roles.pairs]),
-        )
-    ]
+    same = [role for role in roles.pairs if role.reason == "alike" or round(role.cost, 6) < SURE]
+    stays = (
+        np.isin(np.arange(len(a.items)), [role.first for role in same]),
+        np.isin(np.arange(len(b.items)), [role.second for role in same]),
+    )
     has_face = faces(a), faces(b)
     for role in roles.pairs:
         i, j = role.first, role.second
         one, other = a.items[i], b.items[j]
         if a.sheets[i] or not (one.closed and other.closed):
             continue
-        if not stands_still(one.box, other.box, scale) or has_face[0][i] or has_face[1][j]:
+        if not stands_still(one.box, other.box, scale) or (has_face[0][i] and has_face[1][j]):
             continue
-        on_it = lies_on(a, i) & ~alike[0], lies_on(b, j) & ~alike[1]
+        on_it = lies_on(a, i) & ~stays[0], lies_on(b, j) & ~stays[1]
         if all(own.any() for own in on_it):
             found |= _apart((a, b), (i, j), on_it, roles, tracks)
     return found

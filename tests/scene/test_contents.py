@@ -181,6 +181,8 @@ def test_unlike_signs_are_exchanged_on_what_stays() -> None:
     burst = scene(CARD + BURST)
     assert apart(hooks, burst) == {1}
     assert apart(burst, burst) == set()
+    assert apart(hooks, burst, cost=-0.9) == {1}
+    assert apart(hooks, burst, cost=-1.1) == set()
     assert apart(hooks, burst, "given") == set()  # asked for by the user
     assert apart(hooks, burst, "alike") == set()  # that stands still
 
@@ -204,3 +206,16 @@ def test_lines_on_what_else_stays_go_into_that() -> None:
     with_stem = scene(CARD + f'<path d="M50 30V80" {LINES}/>' + veins)
     assert signs(with_stem, staying=2) == []
     assert signs(scene(CARD + veins)) == [(1, 2)]
+
+
+def test_a_face_gives_way_to_what_is_none_and_moves_to_a_face() -> None:
+    disc = '<circle cx="50" cy="50" r="40" fill="#fc0"/>'
+    mouth = f'<path d="M30 62q20 20 40 0" {LINES}/>'
+    face = scene(
+        disc + mouth + '<circle cx="35" cy="40" r="5"/><circle cx="65" cy="40" r="5"/>' + BURST
+    )
+    other = scene(disc + BURST + mouth + '<ellipse cx="35" cy="40" rx="4" ry="9"/>')
+    assert faces(face)[0]
+    assert not faces(other)[0]
+    assert apart(face, face) == set()
+    assert apart(face, scene(disc + BURST)) == {1}
