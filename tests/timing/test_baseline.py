@@ -220,3 +220,44 @@ def test_how_late_what_is_quick_may_be_is_known() -> None:
         )
         figures += of_sum(found)
     assert_known("timing", "late", figures)
+
+
+def _zigzag(t: Floats, corners: int) -> Floats:
+    """As many corners, evenly in time but for a little, one as sharp as the other."""
+    at = (np.arange(1, corners + 1) + 0.2 * np.sin(np.arange(corners))) / (corners + 1)
+    signs = np.where(np.arange(corners) % 2, 1.0, -1.0)
+    way = 400 * t + 800 * (signs * np.clip(t[:, None] - at, 0, None)).sum(axis=1)
+    return _home(3, 7) + np.stack([way, 0.3 * way], -1)[:, None]
+
+
+def test_what_has_many_corners_is_known() -> None:
+    figures: list[float] = []
+    for corners in (2, 4, 6, 7, 9, 12, 13, 20, 31, 32, 33, 45, 70):
+        clock = np.linspace(0, 1, 1201)
+        figures.append(float(len(turning_times(_zigzag(clock, corners), clock, TOLERANCE))))
+    for corners in (2, 4, 6, 7, 9, 12, 13):
+        turns = turning_times(_zigzag(SCHEDULE.clock, corners), SCHEDULE.clock, TOLERANCE)
+        schedule = SCHEDULE.with_corners(turns)[0] if turns else SCHEDULE
+        points = _zigzag(schedule.clock, corners)
+        weights = np.ones(points.shape[1])
+        found = sum_of_easings(
+            points, schedule.clock, STEP, TOLERANCE, weights, lambda: 60, turns, late=False
+        )
+        figures += of_sum(found)
+    assert_known("timing", "many corners", figures)
+
+
+def test_what_moves_in_many_ways_is_known() -> None:
+    """Which takes many easings, or is given up; and at few samples, of which all take part."""
+    figures: list[float] = []
+    for count in (21, 41, 61, 81, 241):
+        clock = np.linspace(0, 1, count)
+        for waves in (1.0, 3.0, 6.0, 9.0):
+            own = np.arange(1, 9) * waves
+            sway = np.stack([np.sin(own * clock[:, None]), np.cos(own * clock[:, None])], -1)
+            points = _home(8, 8) + 40 * sway / own[:, None]
+            found = sum_of_easings(
+                points, clock, STEP, 3 * TOLERANCE, np.ones(8), lambda: 60, (), late=False
+            )
+            figures += of_sum(found)
+    assert_known("timing", "many ways", figures)
