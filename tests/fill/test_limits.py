@@ -8,6 +8,7 @@ import pytest
 
 from shapetween.base.observe import unobserved
 from shapetween.fill import splitting
+from shapetween.fill.appearing import _middle
 from shapetween.fill.morph import _by_size, _is_main, _limit_notices, _shared_corners, morph_fill
 from shapetween.fill.pairing import Thing, pair_things
 from shapetween.fill.pinned import pinned_rings
@@ -15,6 +16,7 @@ from shapetween.fill.regions import Region, _encloses, _resolved, regions_of
 from shapetween.fill.settings import FillSettings
 from shapetween.fill.small import blend_small
 from shapetween.fill.splitting import split_alike
+from shapetween.model.outline import Outline
 from tests.baseline import assert_known
 from tests.drawings import area, ring, square
 from tests.match.shapes import polygon, rounded
@@ -174,3 +176,13 @@ def test_cells_that_cannot_be_even_are_given_up(monkeypatch: pytest.MonkeyPatch)
     whole = splitting._area([square(0, 0, 10).curves[:, 0]])
     splitting._cells(whole, np.array([[5.0, 5.0], [5.0, 5.0]]), np.array([0.5, 0.5]))
     assert_known("fill", "given up", [len(asked)])
+
+
+def test_where_curved_rings_close_is_known() -> None:
+    """Crescents and drops, whose middle is that of a circle in them."""
+    figures: list[float] = []
+    for bend in (0.2, 0.5, 0.8, 1.1):
+        back = np.array([[0, 0], [0, 90], [100, 90], [100, 0]], dtype=np.float64)
+        forth = np.array([[100, 0], [100, 80 * bend], [0, 80 * bend], [0, 0]])
+        figures += _middle(Outline(np.stack([back, forth])).clockwise()).tolist()
+    assert_known("fill", "middles of curved rings", figures)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from shapetween.base.errors import MeshError
+from shapetween.mesh.candidates import simplified
 from shapetween.mesh.contour import Contours, outside_lengths
 from shapetween.mesh.file import _check_boundary, check_mesh
 from shapetween.mesh.inner import smoothed
@@ -127,3 +128,16 @@ def test_how_far_nodes_slide_is_known() -> None:
             moved = slid(Contours.of(points), np.where(corners, 0.5, 0.0), nodes, quads, triangles)
             figures += [float(moved.sum()), float((moved * np.arange(6)).sum())]
     assert_known("mesh", "slid", figures)
+
+
+def test_how_much_further_corners_count_is_known() -> None:
+    figures = []
+    for seed in range(12):
+        rng = np.random.default_rng(seed)
+        angle = 2 * np.pi * np.arange(120) / 120
+        size = 1 + (np.cos(np.outer(angle, np.arange(1, 7))) @ rng.normal(size=(6, 2)) * 0.12).T
+        around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        corners = rng.random(120) < 0.3
+        found = simplified(around * size[..., None], corners, 14)
+        figures += [float(corners[found].sum()), float(found.sum())]
+    assert_known("mesh", "corners", figures)

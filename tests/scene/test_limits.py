@@ -10,7 +10,7 @@ from shapetween.geometry.bezier import line_curves
 from shapetween.model.outline import Outline
 from shapetween.model.paint import Colour, Style
 from shapetween.model.part import CurveTrack
-from shapetween.scene.assign import Role, Roles, _nearly_same, alike_in_place
+from shapetween.scene.assign import Role, Roles, _cheapest, _nearly_same, alike_in_place
 from shapetween.scene.backdrops import backdrops
 from shapetween.scene.borders import Bordered, bordered_tracks
 from shapetween.scene.items import Item
@@ -112,3 +112,13 @@ def test_which_cards_stay_is_known() -> None:
         grown = box(30, 30, 40 * (1 + step), 40 * (1 + step)) - 20 * step
         sizes += len(backdrops(scene(card, thing), scene(grown, thing), paired(2)))
     assert_known("scene", "cards", [ways, sizes])
+
+
+def test_which_costs_are_equal_is_known() -> None:
+    """Two pairs of which each costs more by a little than in the other order."""
+    crossed = 0
+    for more in np.geomspace(1e-9, 1e-1, 60):
+        costs = np.array([[0.3 + more, 0.3], [0.3, 0.3 + more]])
+        found = _cheapest(costs, np.ones(2), np.ones(2))
+        crossed += int(found.second[found.first == 0][0])
+    assert_known("scene", "equal costs", [float(crossed)])

@@ -227,7 +227,7 @@ def _zigzag(t: Floats, corners: int) -> Floats:
     at = (np.arange(1, corners + 1) + 0.2 * np.sin(np.arange(corners))) / (corners + 1)
     signs = np.where(np.arange(corners) % 2, 1.0, -1.0)
     way = 400 * t + 800 * (signs * np.clip(t[:, None] - at, 0, None)).sum(axis=1)
-    return _home(3, 7) + np.stack([way, 0.3 * way], -1)[:, None]
+    return np.asarray(_home(3, 7) + np.stack([way, 0.3 * way], -1)[:, None])
 
 
 def test_what_has_many_corners_is_known() -> None:
