@@ -26,6 +26,8 @@ QUESTIONS = {
     "that letters of a word go in order": "letters",
     "an area and the line round it": "outline",
     "what is told of limits of counts": "Notice",
+    "what is told of a file that is not read whole": "Losses",
+    "what is told of one outline's movement": "Notice",
     "how what has no partner disappears": "disappear",
     "when two drawings are exchanged as wholes": "too_different",
     "the centre line of an outlined stroke": "medial",
