@@ -221,15 +221,20 @@ def flag(left: float) -> np.ndarray:
     return np.array([[0.0, 0], [1, 0], *above, [1.2 * right, 9], *below, [0, 4]])
 
 
-def test_what_faces_the_other_way_is_known() -> None:
+def footed(left: float) -> np.ndarray:
+    """The same with a foot on its right, so that it is uneven however its arms lie."""
+    return np.concatenate([[[0.0, 0], [3.2, 0], [3.2, 1.2], [1, 1.2]], flag(left)[2:]])
+
+
+@pytest.mark.parametrize("made", [flag, footed])
+def test_what_faces_the_other_way_is_known(made: Callable[[float], np.ndarray]) -> None:
     """A flag and others that lie more and more on the other side of their poles."""
-    facing = []
-    for own in (1.3,):
-        for left in np.linspace(2.0, 3.9, 39):
-            one, other = polygon(flag(own)), polygon(flag(left))
-            found = Matcher(one, other).match()
-            facing.append(faces_other_way(prepare(one), prepare(other), found))
-    assert_known("match", "facing", [float(sum(facing))])
+    one, facing = polygon(made(1.3)), 0
+    for left in np.linspace(2.0, 3.9, 39):
+        other = polygon(made(left))
+        found = Matcher(one, other).match()
+        facing += faces_other_way(prepare(one), prepare(other), found)
+    assert_known("match", f"facing, {made.__name__}", [float(facing)])
 
 
 def test_what_is_even_but_for_a_tuft_is_known() -> None:
