@@ -661,13 +661,28 @@ CORNERS = '<path d="M2 2l4 4"/>', '<circle cx="95" cy="96" r="3"/>'
 
 
 @pytest.mark.parametrize(
-    ("deep", "corners", "exchanged"),
-    [(10, ("", ""), False), (10, CORNERS, True), (12, ("", ""), True)],
+    ("deep", "corners", "lines", "exchanged"),
+    [
+        (10, ("", ""), True, False),
+        (10, CORNERS, True, True),
+        (12, ("", ""), True, True),
+        (10, ("", ""), False, True),
+    ],
 )
 def test_lines_round_most_of_both_drawings_move_though_all_within_is_exchanged(
-    tmp_path: Path, deep: float, corners: tuple[str, str], exchanged: bool
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    deep: float,
+    corners: tuple[str, str],
+    lines: bool,
+    exchanged: bool,
 ) -> None:
-    """With something in the corners the line is less of what is seen; with deep teeth unlike."""
+    """With something in the corners the line is less of what is seen; with deep teeth unlike.
+
+    Were they areas, those would be bare half-way.
+    """
+    if not lines:
+        monkeypatch.setattr("shapetween.scene.exchange.in_lines", lambda *_: False)
     wheels = wheel(50, 12, deep), wheel(50, 3, 16)
     first, second = (
         f'<g fill="none" stroke="#000" stroke-width="3"><path d="{body}"/>{inner}{corner}</g>'
