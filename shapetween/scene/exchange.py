@@ -67,7 +67,7 @@ ONE_THING = 0.36
 
 #: Size of the largest pair of lines, as a share of either drawing, from which on those have most of
 #: what is seen in common, and by how much more must count then. Of 4 such pairs that fresh eyes saw
-#: both ways all were rather seen moving; of 5 pairs of areas that moved 3 were bad. Smaller, and
+#: both ways all were rather seen moving; of 6 pairs of areas that moved 4 were bad. Smaller, and
 #: most of what moves then is rather seen to leave; larger, and a cloud leaves for one that is open.
 MOSTLY, IN_COMMON = 0.6, 0.5
 
@@ -141,14 +141,15 @@ def too_different(
         return False
     if paired and all(isinstance(form, Segment) for scene in (a, b) for form in scene.forms):
         return False  # bars turn into whatever other bars are
+    main = _main_pair(a, b, firsts, seconds) if paired else None
     # One thing, and who it would become.
-    alone = _main_pair(a, b, firsts, seconds)[:2] if paired and min(counts) == 1 else None
+    alone = main[:2] if main is not None and min(counts) == 1 else None
     if alone is not None and nothing_corresponds(
         *of_one_kind(a.items[alone[0]], b.items[alone[1]])
     ):
         return True
     changes = recoloured(a, b, firsts, seconds)
-    if changes and alone is None and one_is_a_face(a, b, *_main_pair(a, b, firsts, seconds)[:2]):
+    if changes and main is not None and alone is None and one_is_a_face(a, b, *main[:2]):
         return True  # half-way its features would be on a thing of mud
     against = difference(a, b, roles, behind) + INTRICATE * intricacy(a, b, roles)
     against += PIERCING * holes_apart(a, b, roles)
@@ -157,7 +158,7 @@ def too_different(
     lines = in_lines(a, b)
     plain = EXCHANGED_COLOURED if changes else EXCHANGED
     least = most or (EXCHANGED_LINES if lines else plain)
-    if paired and lines and _mostly_one(a, b, *_main_pair(a, b, firsts, seconds)):
+    if main is not None and lines and _mostly_one(a, b, *main):
         least += IN_COMMON
     if alone is not None:
         forms = a.forms[alone[0]], b.forms[alone[1]]

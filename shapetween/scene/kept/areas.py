@@ -220,13 +220,11 @@ def _tracks(
     if _floods(solid, loose, pairs):
         return None
     moving = [matched_hole_track(loose[0][i], loose[1][j], scale) for i, j in pairs]
-    for side, k in holes_in_turn(holes, paired, chords.polylines, solid):
-        paired.add(k)
-        ring = loose[side][holes[side].index(k)]
-        moving.append(InTurn(unmatched_hole_track(ring, closes=side == 0), first=side == 0))
+    in_turn = holes_in_turn(holes, paired, chords.polylines, solid)
+    paired.update(k for _, k in in_turn)
     over = holes_over_edges(holes, paired, chords.polylines, solid)
-    for side, k in over:
-        paired.add(k)
+    paired.update(k for _, k in over)
+    for side, k in (*in_turn, *over):
         ring = loose[side][holes[side].index(k)]
         moving.append(InTurn(unmatched_hole_track(ring, closes=side == 0), first=side == 0))
     laid = overlay(areas_of(chords.polylines, counts, paired), found, chords, scale)

@@ -198,8 +198,9 @@ _FONT = re.compile(
 
 def is_too_long(name: str, value: str) -> bool:
     """Whether a value that would say something is not read for its length alone."""
-    known = name in INHERITED or name in OWN or name in TRANSFORMS or name.startswith("--")
-    return known and len(value) > MOST_CHARACTERS
+    if len(value) <= MOST_CHARACTERS:
+        return False
+    return name in INHERITED or name in OWN or name in TRANSFORMS or name.startswith("--")
 
 
 def is_supported(name: str, value: str) -> bool:
