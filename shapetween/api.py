@@ -24,7 +24,7 @@ from shapetween.outline.preview import Effort
 from shapetween.pipeline import Folds, Options, Prepared, prepare
 from shapetween.scene.asked import Change, Pairing
 from shapetween.sources import Source, key_of, name_of, opened
-from shapetween.svg.write.diagram import MeshView
+from shapetween.svg.write.mesh_panels import MeshView
 
 __all__ = ["Chain", "Morph", "Source", "chain", "morph"]
 
@@ -92,10 +92,26 @@ class Morph(Moving):
         return dump_meshes([(view.name, view.pair) for view in self._checked_views()])
 
     def mesh_svg(self, names: tuple[str, str] = ("A", "B")) -> str:
-        """A picture of both shapes with numbered quads and the nodes that belong together."""
-        from shapetween.svg.write.diagram import mesh_svg
+        """A picture of who becomes whom, and of the meshes with the nodes that belong together.
 
-        return mesh_svg(self._checked_views(), names)
+        Parameters
+        ----------
+        names : (str, str)
+            What its titles call the drawings.
+
+        Raises
+        ------
+        OptionError
+            If the drawings are one area each, and no mesh moves it.
+        """
+        from shapetween.scene.part_views import part_views
+        from shapetween.svg.write.diagram import diagram_svg
+
+        scene = self.prepared.scene
+        parts = part_views(scene, inverted(self.prepared.fit)) if scene is not None else ()
+        if len(parts) < 2:
+            return diagram_svg(self._checked_views(), names)
+        return diagram_svg(self._views(), names, parts)
 
     def _checked_views(self) -> list[MeshView]:
         views = self._views()

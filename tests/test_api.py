@@ -1,6 +1,7 @@
 """The library's front door, on a pair that is quickly moved."""
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -119,9 +120,33 @@ def test_what_has_no_mesh_says_so() -> None:
     lines = drawing(line((0, 0), (50, 50)))
     found = st.morph(lines, lines)
     assert found.meshes == ()
-    for ask in (found.mesh_json, found.mesh_svg):
-        with pytest.raises(OptionError, match="there is no mesh"):
-            ask()
+    with pytest.raises(OptionError, match="there is no mesh"):
+        found.mesh_json()
+
+
+def test_the_picture_of_what_has_no_mesh_shows_who_becomes_whom() -> None:
+    """Each number is that of the shape in its own file, as ``--match`` takes it."""
+    lines = line((0, 0), (50, 50)), line((60, 0), (60, 50))
+    there, back = drawing(*lines), drawing(*lines[::-1])
+    text = st.morph(there, back).mesh_svg()
+    assert "#1 becomes #2" in text
+    assert "#2 becomes #1" in text
+    apart = st.morph(there, back, matches=[("#1", ""), ("#2", "#1"), ("", "#2")]).mesh_svg()
+    assert "#1 goes alone" in apart
+    assert "#2 comes alone" in apart
+
+
+def test_the_picture_of_parts_is_in_each_files_own_units() -> None:
+    def two(size: int) -> str:
+        squares = ("#d33", 0, 0), ("#33d", 60, 40)
+        form = '<path fill="{0}" d="M{1} {2}h{3}v{3}h-{3}z"/>'
+        paths = [form.format(c, x * size, y * size, 30 * size) for c, x, y in squares]
+        return svg("".join(paths), f"0 0 {100 * size} {100 * size}")
+
+    text = st.morph(two(1), two(10)).mesh_svg()
+    ticks = re.findall(r'class="tick"[^>]*>([^<]*)', text)
+    assert "50" in ticks
+    assert "500" in ticks
 
 
 def test_a_file_that_is_not_there_is_named() -> None:

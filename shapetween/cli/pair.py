@@ -220,7 +220,7 @@ def frames(
 )
 @common
 def mesh(a: Path, b: Path | None, out: Path | None, over: tuple[Path, ...], common: Common) -> None:
-    """Show what goes where: both shapes with numbered quads and matched nodes.
+    """Show what goes where: who becomes whom, and shapes with their quads and matched nodes.
 
     Ending in .json, OUT is a mesh to keep, edit and give back with --mesh.
     """
