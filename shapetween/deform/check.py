@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from shapetween.base.arrays import Curves, Mask, Points
+from shapetween.base.arrays import Curves, Index, Mask, Points
 from shapetween.geometry.bezier import flatten
 from shapetween.geometry.polygon import cross, polygon_area
 
@@ -22,6 +22,11 @@ CHORDS = 4
 #: that of the extent, where corners lie on other strands. None, and where strands touch rounding
 #: says, and so the processor, whether they cross; much more, and what is seen to cross does not.
 DEPTH, LEAST_AREA = 1e-6, 1e-8
+
+#: Of how many frames that are not known to cross one is looked at, round after round, and how many
+#: pairs of strands that cross there others are asked of. They say the same whatever these are;
+#: other ones cost more time, and more pairs memory.
+STRIDES, MOST_PAIRS = (16, 4, 1), 400
 
 
 def simple_frames(points: Points, rings: tuple[int, ...] | None = None) -> Mask:
@@ -65,31 +70,49 @@ def _crossing(points: Points, sizes: tuple[int, ...]) -> Mask:
     following = np.arange(1, count + 1)
     following[first + np.array(sizes) - 1] = first
     edges = np.stack([points, points[:, following]], axis=2)
-    # Side by side, so that one tree finds the pairs of each frame.
-    beside = edges + np.stack([2.0 * np.arange(frames), np.zeros(frames)], axis=-1)[:, None, None]
-    segments = shapely.linestrings(beside.reshape(-1, 2, 2))
-    i, j = shapely.STRtree(segments).query(segments)
-    frame, one, other = i // count, i % count, j % count
-    kept = (one < other) & (following[one] != other) & (following[other] != one)
-    frame, one, other = frame[kept], one[kept], other[kept]
-    away = np.stack(
-        [_from_line(edges[frame, p], edges[frame, q]) for p, q in ((one, other), (other, one))]
-    )
-    through = ((away > DEPTH).any(axis=-1) & (away < -DEPTH).any(axis=-1)).all(axis=0)
     found = np.zeros(frames, dtype=bool)
-    found[frame[through]] = True
+    for stride in STRIDES:
+        looked = np.flatnonzero(~found)[::stride]
+        frame, one, other = _near(edges[looked], following)
+        through = _through(edges[looked[frame], one], edges[looked[frame], other])
+        found[looked[frame[through]]] = True
+        if stride > 1:
+            # What crosses in one frame mostly does so in those about it.
+            pairs = np.unique(np.stack([one[through], other[through]]), axis=1)[:, :MOST_PAIRS]
+            rest = np.flatnonzero(~found)[:, None]
+            found[rest[:, 0]] = _through(edges[rest, pairs[0]], edges[rest, pairs[1]]).any(axis=1)
     # What crosses just where a corner is does so by no edge alone.
     for k in np.flatnonzero(~found).tolist():
         found[k] = _overlapping(np.split(points[k], first[1:]))
     return found
 
 
+def _near(edges: Points, following: Index) -> tuple[Index, Index, Index]:
+    """Frames of edges (F, M, 2, 2), and two whose boxes meet there and that are no neighbours."""
+    frames, count = edges.shape[:2]
+    # Side by side, so that one tree finds the pairs of each frame.
+    beside = edges + np.stack([2.0 * np.arange(frames), np.zeros(frames)], axis=-1)[:, None, None]
+    segments = shapely.linestrings(beside.reshape(-1, 2, 2))
+    i, j = shapely.STRtree(segments).query(segments)
+    frame, one, other = i // count, i % count, j % count
+    kept = (one < other) & (following[one] != other) & (following[other] != one)
+    return frame[kept], one[kept], other[kept]
+
+
+def _through(one: Points, other: Points) -> Mask:
+    """Which segments (..., 2, 2) cross others, and do not only touch them, (...,)."""
+    away = np.stack([_from_line(one, other), _from_line(other, one)])
+    return np.asarray(
+        ((away > DEPTH).any(axis=-1) & (away < -DEPTH).any(axis=-1)).all(axis=0), dtype=bool
+    )
+
+
 def _from_line(segments: Points, lines: Points) -> Points:
-    """Signed distances (K, 2) of the ends of segments (K, 2, 2) from lines through others' ends."""
-    way = lines[:, 1] - lines[:, 0]
-    length = np.hypot(way[:, 0], way[:, 1])
-    beside = cross(way[:, None], segments - lines[:, :1])
-    return np.asarray(beside / np.where(length > 0, length, np.inf)[:, None])
+    """Signed distances (..., 2) of the ends of segments (..., 2, 2) from lines through others'."""
+    way = lines[..., 1, :] - lines[..., 0, :]
+    length = np.hypot(way[..., 0], way[..., 1])
+    beside = cross(way[..., None, :], segments - lines[..., :1, :])
+    return np.asarray(beside / np.where(length > 0, length, np.inf)[..., None])
 
 
 def _overlapping(rings: Sequence[Points]) -> bool:

@@ -16,7 +16,7 @@ import numpy as np
 from shapetween.base.arrays import Complex, Curves, Floats, Index, Points
 from shapetween.deform.keyed import KeyedMotion
 from shapetween.deform.schedule import CHECKED_TIMES
-from shapetween.geometry.bezier import flatten
+from shapetween.geometry.bezier import bernstein
 from shapetween.geometry.linearmaps import as_complex
 from shapetween.outline.body import Carried, RingMatch
 from shapetween.outline.carry import Carrier
@@ -44,6 +44,10 @@ RESTORED = 0.7
 #: Length of a mean step, as a share of the longest one, that has no direction.
 NO_STEP = 1e-9
 
+#: Frames that are worked on at once. Fewer cost calls; more are fetched from memory again and
+#: again.
+FRAMES_AT_ONCE = 24
+
 
 def faired(body: Carried) -> Carried:
     """The body with fair outlines, unless more crosses then."""
@@ -70,20 +74,20 @@ def _changes(ring: RingMatch) -> bool:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _End:
-    """One end of a ring.
+    """One end of a ring, each step as its surroundings see it that go in the direction of 1.
 
     Attributes
     ----------
     steps : (PLACES,) complex128
         From each even place to the next.
-    around : (PLACES,) complex128
-        The same in the large.
+    lengths : (PLACES,) float64
+        Of the steps.
     beyond : (n,) complex128
         From the even place before each node to the node.
     """
 
     steps: Complex
-    around: Complex
+    lengths: Floats
     beyond: Complex
 
 
@@ -94,10 +98,10 @@ class _Ring:
     Attributes
     ----------
     carrier : Carrier
-    first, last : (PLACES,) intp
-        Chords' ends before and behind each even place.
-    share : (PLACES,) float64
-        How far the place is from the one to the other.
+    curve : (PLACES,) intp
+        Which curve each even place lies on.
+    weights : (4, PLACES) float64
+        Of that curve's control points, at a place on one of its chords.
     ends : (_End, _End)
     place : (n,) intp
         The even place before each node.
@@ -106,9 +110,8 @@ class _Ring:
     """
 
     carrier: Carrier
-    first: Index
-    last: Index
-    share: Floats
+    curve: Index
+    weights: Floats
     ends: tuple[_End, _End]
     place: Index
     rest: Floats
@@ -123,42 +126,53 @@ class _Ring:
         first = np.searchsorted(chords, even, side="right") - 1
         length = np.diff(chords, append=chords[:1] + 1)[first]
         share = (even - chords[first]) / np.where(length > 0, length, 1.0)
-        last = (first + 1) % len(chords)
+        curve, chord = np.divmod(first, CHORDS)
+        weights = bernstein(np.arange(CHORDS + 1) / CHORDS, axis=0)
+        weights = (1 - share) * weights[:, chord] + share * weights[:, chord + 1]
         place = np.floor(w * PLACES).astype(np.intp)
         at = np.searchsorted(starts, w)
         ends = []
         for curves in (carrier.pieces.source, carrier.pieces.target):
-            points = _at(curves, first, last, share)
+            points = _at(curves, curve, weights)
             steps = _steps(points)
-            ends.append(
-                _End(steps, _in_the_large(steps), as_complex(curves[at, 0]) - points[place])
-            )
-        return cls(carrier, first, last, share, (ends[0], ends[1]), place, w * PLACES - place)
+            back = _unit(_in_the_large(steps)).conj()
+            beyond = as_complex(curves[at, 0]) - points[place]
+            ends.append(_End(back * steps, np.abs(steps), back[place] * beyond))
+        return cls(carrier, curve, weights, (ends[0], ends[1]), place, w * PLACES - place)
 
     def nodes(self, nodes: Points, t: Floats) -> Complex:
         """Where nodes that the mesh puts at (F, n, 2) go at the times (F,), (F, n)."""
-        moving = _at(self.carrier.curves(nodes, t), self.first, self.last, self.share)
-        around = _in_the_large(_steps(moving))
-        turns = [
-            weight[:, None] * _unit(around * end.around.conj())
-            for end, weight in zip(self.ends, (1 - t, t), strict=True)
-        ]
-        both = list(zip(self.ends, turns, strict=True))
-        parts = np.stack([turn * end.steps for end, turn in both])
-        step, wanted = parts.sum(axis=0), np.abs(parts).sum(axis=0)
-        short, least = np.abs(step), NO_STEP * wanted.max()
-        grown = np.where(short > least, wanted / np.maximum(short, least), 1.0) ** RESTORED
-        path = _closed(grown * step)
-        beyond = np.stack([turn[:, self.place] * end.beyond for end, turn in both]).sum(axis=0)
-        mesh = _in_the_large(moving - path)
-        mesh = mesh[:, self.place] + self.rest * _steps(mesh)[:, self.place]
-        return np.asarray(mesh + path[:, self.place] + grown[:, self.place] * beyond)
+        curves = self.carrier.curves(nodes, t)
+        few = np.array_split(np.arange(len(t)), -(-len(t) // FRAMES_AT_ONCE))
+        return np.concatenate([self._nodes(curves[some], t[some, None]) for some in few])
+
+    def _nodes(self, curves: Curves, late: Floats) -> Complex:
+        """The same of curves (F, P, 4, 2) at the times (F, 1)."""
+        moving = _at(curves, self.curve, self.weights)
+        large = _in_the_large(moving)
+        turn = _unit(_steps(large))
+        one, other = self.ends
+        mean = (1 - late) * one.steps + late * other.steps
+        wanted = (1 - late) * one.lengths + late * other.lengths
+        least = NO_STEP * max(one.lengths.max(), other.lengths.max())
+        short = np.abs(mean)
+        turn *= np.where(short > least, wanted / np.maximum(short, least), 1.0) ** RESTORED
+        path = _closed(turn * mean)
+        mesh = large - _in_the_large(path)
+        following = mesh[:, (self.place + 1) % PLACES]
+        mesh = mesh[:, self.place]
+        mesh += self.rest * (following - mesh)
+        beyond = (1 - late) * one.beyond + late * other.beyond
+        return np.asarray(mesh + path[:, self.place] + turn[:, self.place] * beyond)
 
 
-def _at(curves: Curves, first: Index, last: Index, share: Floats) -> Complex:
+def _at(curves: Curves, curve: Index, weights: Floats) -> Complex:
     """Points of curves (..., P, 4, 2) at even places, (..., PLACES)."""
-    points = as_complex(flatten(curves, CHORDS))
-    return np.asarray((1 - share) * points[..., first] + share * points[..., last])
+    control = as_complex(curves)
+    points = weights[0] * control[..., curve, 0]
+    for k in range(1, 4):
+        points += weights[k] * control[..., curve, k]
+    return np.asarray(points)
 
 
 def _steps(points: Complex) -> Complex:
@@ -181,4 +195,4 @@ def _unit(vectors: Complex) -> Complex:
 def _in_the_large(values: Complex) -> Complex:
     """Values at even places without waves shorter than the scale, (..., PLACES)."""
     waves = 2 * np.pi * np.fft.fftfreq(PLACES, 1 / PLACES)
-    return np.asarray(np.fft.ifft(np.fft.fft(values) / (1 + (SCALE * waves) ** POWER)))
+    return np.asarray(np.fft.ifft(np.fft.fft(values) * (1 / (1 + (SCALE * waves) ** POWER))))
