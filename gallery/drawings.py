@@ -11,6 +11,7 @@ LUCIDE = "Lucide (ISC)"
 HERO = "Heroicons (MIT)"
 FLUENT = "Fluent Emoji (MIT)"
 TWEMOJI = "Twemoji (CC BY 4.0)"
+OURS = "drawn for this gallery (CC0 1.0)"
 LETTERS = "Font Awesome Free (CC BY 4.0)"
 
 PAIRS = (
@@ -35,6 +36,8 @@ PAIRS = (
     ("emoji-bug", "emoji-butterfly", "Hardly a part in common: one goes, one comes.", FLUENT),
     ("picture-dog", "picture-wolf", "A dog and a head: exchanged; --loose moves parts.", TWEMOJI),
     ("face-smile", "face-sad", "Shadows stay; the mouth turns.", "Tango (public domain)"),
+    ("board-flat", "board-steep", "All of the board goes over by one quad's homographies.", OURS),
+    ("die-one", "die-six", "Faces as one mesh of quads; dots that both have stay on them.", OURS),
     ("picture-rocket", "picture-airplane", "Too little in common: one goes, one comes.", TWEMOJI),
 )  # fmt: skip
 

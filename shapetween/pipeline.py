@@ -25,6 +25,7 @@ from shapetween.model.movement import Movement
 from shapetween.model.part import BlendedPaint, Part
 from shapetween.outline.preview import Effort
 from shapetween.scene.asked import PRICES, Asked, Change, Exchange, Pairing, groups_of
+from shapetween.scene.boards import boards_between
 from shapetween.scene.disturbance import tears
 from shapetween.scene.forms import RoundedBox, form_of
 from shapetween.scene.items import Item, in_view, items_of
@@ -256,6 +257,10 @@ def _moved(
     if not settings.meshed:
         notices = (*notices, *limits_of_items(one, other))
     if not (settings.meshed or len(settings.pins) or settings.choice > 1):
+        with settings.observe("perceive"):
+            boards = () if asked.groups else boards_between(one, other, settings.method)
+        if boards:
+            return _scene((one, other), boxes, asked, settings, names, notices, boards)
         with settings.observe("perceive"):
             kept = kept_drawings(one, other, asked.groups)
         notices = (*notices, *kept.notices)
