@@ -37,11 +37,10 @@ from shapetween.scene.motion.anchors import anchors
 from shapetween.scene.motion.choose import SAME, corners_suffice
 from shapetween.scene.motion.mouths import mouth_track
 from shapetween.scene.pierced import opens_well, pierced, pierced_apart, suits_lines
-from shapetween.scene.relations import perceive
 from shapetween.scene.strokes.outlined import as_lines
 from shapetween.scene.swelling import swells
 from shapetween.scene.torn import opens
-from shapetween.scene.whole import frame_between, turns_over
+from shapetween.scene.whole import turns_over, with_lines
 
 if TYPE_CHECKING:
     from shapetween.scene.kept.areas import KeptArea
@@ -270,7 +269,7 @@ def _moved(
         apart = with_limbs(one, other)
         if apart is not None:
             return _scene(as_lines(*apart), boxes, asked, settings, names, notices)
-    lines = _lined(one, other, boxes)
+    lines = with_lines(one, other, boxes)
     areas = free and _two_outlines(one, other) and not swells(one[0], other[0], lines)
     areas = areas or (free and opens(one, other, lines))
     may = asked.exchange == "unlike" and not _asked_for(settings)
@@ -336,21 +335,6 @@ def _exchange(
 def _asked_for(settings: FillSettings) -> bool:
     """Whether somebody wants a movement of areas that is no other way's."""
     return (settings.method, settings.quads, settings.folds) != ("projective", None, "prevent")
-
-
-def _lined(
-    one: Sequence[Item], other: Sequence[Item], views: tuple[Points, Points]
-) -> tuple[tuple[Item, ...], tuple[Item, ...]]:
-    """Both drawings' items, with areas that are outlined strokes as lines.
-
-    Where one drawing is the other turned, but just one of them would have lines, neither has: they
-    are alike.
-    """
-    found = as_lines(one, other)
-    uneven = len(one) == len(other) and len(found[0]) != len(found[1])
-    if uneven and frame_between(perceive(one, views[0]), perceive(other, views[1])) is not None:
-        return tuple(one), tuple(other)
-    return found
 
 
 def _two_outlines(one: Sequence[Item], other: Sequence[Item]) -> bool:

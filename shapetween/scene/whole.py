@@ -1,5 +1,6 @@
 """Whether a whole drawing is another one turned or mirrored, so that it turns as one."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,8 +14,9 @@ from shapetween.scene.assign import alike_in_place
 from shapetween.scene.items import Item
 from shapetween.scene.motion.tracks import Frame
 from shapetween.scene.relations import Scene, perceive
+from shapetween.scene.strokes.outlined import as_lines
 
-__all__ = ["frame_between", "moved_items", "moved_paint", "turns_over"]
+__all__ = ["frame_between", "moved_items", "moved_paint", "turns_over", "with_lines"]
 
 #: Turns that are tried, radians, and least likeness of the turned drawing, and what it must be more
 #: than the unturned one's. Half right angles are asked for more: feet would do them by chance.
@@ -82,6 +84,21 @@ def turns_over(one: Item, other: Item) -> bool:
     view = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
     frame = frame_between(perceive([one], view), perceive([other], view))
     return frame is not None and frame.over >= 0
+
+
+def with_lines(
+    one: Sequence[Item], other: Sequence[Item], views: tuple[Points, Points]
+) -> tuple[tuple[Item, ...], tuple[Item, ...]]:
+    """Both drawings' items, with areas that are outlined strokes as lines.
+
+    Where one drawing is the other turned, but just one of them would have lines, neither has: they
+    are alike.
+    """
+    found = as_lines(one, other)
+    uneven = len(one) == len(other) and len(found[0]) != len(found[1])
+    if uneven and frame_between(perceive(one, views[0]), perceive(other, views[1])) is not None:
+        return tuple(one), tuple(other)
+    return found
 
 
 def moved_items(scene: Scene, frame: Frame) -> tuple[Item, ...]:
