@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from shapetween.base.arrays import Curves, Index, Mask, Points
+from shapetween.base.arrays import Curves, Floats, Index, Mask, Points
 from shapetween.geometry.bezier import flatten
-from shapetween.geometry.polygon import cross, polygon_area
+from shapetween.geometry.polygon import polygon_area
 
 __all__ = ["LOOKED", "crossing_frames", "simple_frames"]
 
@@ -26,7 +26,7 @@ DEPTH, LEAST_AREA = 1e-6, 1e-8
 #: Of how many frames that are not known to cross one is looked at, round after round, and how many
 #: pairs of strands that cross there others are asked of. They say the same whatever these are;
 #: other ones cost more time, and more pairs memory.
-STRIDES, MOST_PAIRS = (16, 4, 1), 400
+STRIDES, MOST_PAIRS = (32, 8, 2, 1), 400
 
 
 def simple_frames(points: Points, rings: tuple[int, ...] | None = None) -> Mask:
@@ -62,57 +62,69 @@ def simple_frames(points: Points, rings: tuple[int, ...] | None = None) -> Mask:
 
 def _crossing(points: Points, sizes: tuple[int, ...]) -> Mask:
     """In which frames (F, M, 2) rings of so many points cross, and do not only touch."""
-    low = points.min(axis=(0, 1))
-    extent = float((points.max(axis=(0, 1)) - low).max()) or 1.0
-    points = (points - low) / extent
+    x, y = (np.ascontiguousarray(points[..., k]) for k in (0, 1))
+    low = np.array([x.min(), y.min()])
+    extent = max(float(x.max() - low[0]), float(y.max() - low[1])) or 1.0
     frames, count, _ = points.shape
     first = np.cumsum([0, *sizes])[:-1]
     following = np.arange(1, count + 1)
     following[first + np.array(sizes) - 1] = first
-    edges = np.stack([points, points[:, following]], axis=2)
+    start = np.stack([(x - low[0]) / extent, (y - low[1]) / extent])
+    edges = np.stack([start, start[..., following]], axis=1)
     found = np.zeros(frames, dtype=bool)
     for stride in STRIDES:
         looked = np.flatnonzero(~found)[::stride]
-        frame, one, other = _near(edges[looked], following)
-        through = _through(edges[looked[frame], one], edges[looked[frame], other])
-        found[looked[frame[through]]] = True
+        frame, one, other = _near(edges[:, :, looked], following)
+        frame = looked[frame]
+        through = _through(edges[:, :, frame, one], edges[:, :, frame, other])
+        found[frame[through]] = True
         if stride > 1:
             # What crosses in one frame mostly does so in those about it.
             pairs = np.unique(np.stack([one[through], other[through]]), axis=1)[:, :MOST_PAIRS]
-            rest = np.flatnonzero(~found)[:, None]
-            found[rest[:, 0]] = _through(edges[rest, pairs[0]], edges[rest, pairs[1]]).any(axis=1)
+            rest = np.flatnonzero(~found)
+            strands = (edges[:, :, rest[:, None], side] for side in pairs)
+            found[rest] = _through(*strands).any(axis=1)
     # What crosses just where a corner is does so by no edge alone.
     for k in np.flatnonzero(~found).tolist():
-        found[k] = _overlapping(np.split(points[k], first[1:]))
+        found[k] = _overlapping(np.split(start[:, k].T, first[1:]))
     return found
 
 
-def _near(edges: Points, following: Index) -> tuple[Index, Index, Index]:
-    """Frames of edges (F, M, 2, 2), and two whose boxes meet there and that are no neighbours."""
-    frames, count = edges.shape[:2]
+def _near(edges: Floats, following: Index) -> tuple[Index, Index, Index]:
+    """Frames of edges (2, 2, F, M), and two whose boxes meet there and that are no neighbours."""
+    frames, count = edges.shape[2:]
     # Side by side, so that one tree finds the pairs of each frame.
-    beside = edges + np.stack([2.0 * np.arange(frames), np.zeros(frames)], axis=-1)[:, None, None]
-    segments = shapely.linestrings(beside.reshape(-1, 2, 2))
+    beside = np.stack([edges[0] + 2.0 * np.arange(frames)[:, None], edges[1]])
+    segments = shapely.linestrings(beside.reshape(2, 2, -1).T)
     i, j = shapely.STRtree(segments).query(segments)
     frame, one, other = i // count, i % count, j % count
     kept = (one < other) & (following[one] != other) & (following[other] != one)
     return frame[kept], one[kept], other[kept]
 
 
-def _through(one: Points, other: Points) -> Mask:
-    """Which segments (..., 2, 2) cross others, and do not only touch them, (...,)."""
-    away = np.stack([_from_line(one, other), _from_line(other, one)])
-    return np.asarray(
-        ((away > DEPTH).any(axis=-1) & (away < -DEPTH).any(axis=-1)).all(axis=0), dtype=bool
+def _through(one: Floats, other: Floats) -> Mask:
+    """Which segments cross others, and do not only touch them, (...,).
+
+    Both as x and y of their starts and ends, (2, 2, ...).
+    """
+    found = np.ones(one.shape[2:], dtype=bool)
+    for segments, lines in ((one, other), (other, one)):
+        first, second = _from_line(segments, lines)
+        found &= np.maximum(first, second) > DEPTH
+        found &= np.minimum(first, second) < -DEPTH
+    return found
+
+
+def _from_line(segments: Floats, lines: Floats) -> tuple[Floats, Floats]:
+    """Signed distances of the ends of segments from lines through others' ends, (...,) each."""
+    (x, right), (y, down) = lines
+    way_x, way_y = right - x, down - y
+    length = np.hypot(way_x, way_y)
+    length = np.where(length > 0, length, np.inf)
+    first, second = (
+        (way_x * (segments[1, end] - y) - way_y * (segments[0, end] - x)) / length for end in (0, 1)
     )
-
-
-def _from_line(segments: Points, lines: Points) -> Points:
-    """Signed distances (..., 2) of the ends of segments (..., 2, 2) from lines through others'."""
-    way = lines[..., 1, :] - lines[..., 0, :]
-    length = np.hypot(way[..., 0], way[..., 1])
-    beside = cross(way[..., None, :], segments - lines[..., :1, :])
-    return np.asarray(beside / np.where(length > 0, length, np.inf)[..., None])
+    return first, second
 
 
 def _overlapping(rings: Sequence[Points]) -> bool:

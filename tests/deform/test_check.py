@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from shapetween.deform import check
 from shapetween.deform.check import crossing_frames, simple_frames
 from shapetween.geometry.bezier import line_curves
 from tests.baseline import assert_known
@@ -67,6 +68,22 @@ def test_rings_must_not_cross_each_other() -> None:
     nodes, _ = two_discs(0.0)
     near = nodes + np.repeat([[0.0, 0.0], [1.9, 0.0]], 12, axis=0)
     assert simple_frames(np.stack([nodes, near]), (12, 12)).tolist() == [True, False]
+
+
+def test_frames_are_found_alike_however_few_are_looked_at_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    t = np.linspace(0, 1, 90)[:, None]
+    angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    wide = 0.7 + np.sin(9 * t) * np.cos(2 * angle)
+    frames = np.stack([wide * np.cos(angle), (1 + t) * np.sin(angle)], axis=-1)
+    frames[60:80, 7] = frames[60:80, 27]  # a tip that touches the other side, or comes through
+    found = simple_frames(frames)
+    assert 10 < found.sum() < 80
+    for strides, pairs in (((1,), 1), ((5, 1), 1), ((50, 3, 1), 2)):
+        monkeypatch.setattr(check, "STRIDES", strides)
+        monkeypatch.setattr(check, "MOST_PAIRS", pairs)
+        np.testing.assert_array_equal(simple_frames(frames), found)
 
 
 def test_only_closed_rings_that_cross_themselves_are_found() -> None:
