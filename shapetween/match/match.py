@@ -188,7 +188,7 @@ class _Comparison:
     def upright_cost(self) -> float:
         """Cost of the best matching in the upright frame, rewards that are not earned added."""
         rewards = vertex_rewards(self.a, self.b, 0.0)
-        return self._in_frame(0.0, rewards, False)[0].cost + self._unrewarded
+        return float(self._paths(self._prices(0.0, rewards)).costs.min()) + self._unrewarded
 
     @property
     def _unrewarded(self) -> float:
@@ -301,13 +301,8 @@ class _Comparison:
 
     def _in_frame(self, angle: float, rewards: Floats, forced: bool) -> list[Candidate]:
         """The cheapest matchings of one frame that are different ones."""
-        layout = self.layout
-        cost = self._cost(layout, angle, self.cells)
-        prices = cyclic_prices(cost, cell_rewards(rewards, layout), layout.fixed)
-        count = len(cost)
-        found = distinct(
-            self._by_cost(Paths(prices, count, layout.starts, count), 0, angle), PER_FRAME
-        )
+        layout, prices = self.layout, self._prices(angle, rewards)
+        found = distinct(self._by_cost(self._paths(prices), 0, angle), PER_FRAME)
         if not forced or len(self.pins):
             return found
         tips = [salient_tips(side) for side in (self.a, self.b)]
@@ -319,6 +314,16 @@ class _Comparison:
         ]
         more.sort(key=lambda candidate: candidate.cost)
         return found + distinct(more, len(more), found)
+
+    def _prices(self, angle: float, rewards: Floats) -> Floats:
+        """Prices of the moves in one frame."""
+        cost = self._cost(self.layout, angle, self.cells)
+        return cyclic_prices(cost, cell_rewards(rewards, self.layout), self.layout.fixed)
+
+    def _paths(self, prices: Floats) -> Paths:
+        """The cheapest paths from the first outline's sample 0."""
+        count = prices.shape[1]
+        return Paths(prices, count, self.layout.starts, count)
 
     def _by_cost(self, paths: Paths, first: int, turn: float) -> Iterator[Candidate]:
         """The paths from a sample of the first outline, the cheapest first."""
