@@ -55,9 +55,12 @@ def contents_apart(
             continue
         if not stands_still(one.box, other.box, scale) or (has_face[0][i] and has_face[1][j]):
             continue
-        on_it = lies_on(a, i) & ~stays[0], lies_on(b, j) & ~stays[1]
-        if all(own.any() for own in on_it):
-            found |= _apart((a, b), (i, j), on_it, roles, tracks)
+        on_one = lies_on(a, i) & ~stays[0]
+        if not on_one.any():
+            continue
+        on_other = lies_on(b, j) & ~stays[1]
+        if on_other.any():
+            found |= _apart((a, b), (i, j), (on_one, on_other), roles, tracks)
     return found
 
 

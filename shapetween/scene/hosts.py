@@ -40,12 +40,15 @@ def lies_on(scene: Scene, host: int) -> Mask:
     places = np.arange(len(scene.items))
     # What is painted before a fill is behind it.
     may = ~scene.sheets & ((places > host) | (not scene.items[host].filled))
-    closed = np.array([item.closed for item in scene.items])
-    may &= (places != host) & ~(closed & (scene.outlined == host))
+    may &= places != host
     low, high = ground.bounds[:2], ground.bounds[2:]
     bounds = shapely.bounds(scene.drawn)
     may &= (bounds[:, :2] < high).all(axis=1) & (bounds[:, 2:] > low).all(axis=1)
+    for k in np.flatnonzero(may & (scene.outlined == host)):
+        may[k] = not scene.items[k].closed
     near = np.flatnonzero(may)
+    if not len(near):
+        return np.asarray(may)
     enclosed = np.array([shapely.area(scene.items[k].enclosed) for k in near])
     over = shapely.area(shapely.intersection(scene.drawn[near], ground))
     own = shapely.area(scene.drawn[near])
