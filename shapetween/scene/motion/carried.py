@@ -5,14 +5,16 @@ from functools import cached_property
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Points
-from shapetween.geometry.bezier import evaluate
+from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.base.ends import End
+from shapetween.geometry.bezier import evaluate, signed_area, sub_curves
 from shapetween.model.outline import Outline
-from shapetween.model.part import CurveTrack
+from shapetween.model.part import CurveTrack, Leaf
+from shapetween.scene.motion.projected import pieces_between
 from shapetween.scene.motion.tracks import OfPieces, OfTrack
-from shapetween.scene.places import Places
+from shapetween.scene.places import Pieces, Places
 
-__all__ = ["Carried", "Follower", "Junction", "JunctionConstraint"]
+__all__ = ["Carried", "Follower", "Following", "Junction", "JunctionConstraint"]
 
 #: How soon a part's own movement counts less the farther it is, as a share of the drawing.
 NEAR = 0.004
@@ -54,6 +56,70 @@ class Carried(OfPieces):
             result[:, 0, 0] = result[:, -1, 3]
         result[t == 0] = self.pieces.source
         result[t == 1] = self.pieces.target
+        return np.asarray(result)
+
+
+@dataclass(frozen=True, eq=False)
+class Following(Leaf):
+    """A ring that one drawing alone has, and that keeps to the outline that it runs along.
+
+    Attributes
+    ----------
+    pieces : Pieces
+        The ring where it exists, and the outline next to it, cut where either has a joint.
+    end : End
+        The end at which it exists.
+    anchor : CurveTrack
+        Of what it runs along.
+    """
+
+    pieces: Pieces
+    end: End
+    anchor: CurveTrack
+
+    @classmethod
+    def of(cls, ring: Outline, end: End, anchor: CurveTrack) -> "Following":
+        """The ring cut alike with the first ring of what it runs along."""
+        home = anchor.curves(np.array([float(end)]))[0]
+        outline = Outline(home[: anchor.counts[0]], anchor.closed[0])
+        if signed_area(ring.curves) * signed_area(outline.curves) < 0:
+            ring = ring.reversed()
+        return cls(pieces_between(ring, outline, np.eye(3)), end, anchor)
+
+    @property
+    def counts(self) -> tuple[int, ...]:
+        """It is one ring."""
+        return (len(self.pieces.source),)
+
+    @property
+    def closed(self) -> tuple[bool, ...]:
+        """It is closed."""
+        return (True,)
+
+    @cached_property
+    def _parts(self) -> tuple[Index, Floats, Floats]:
+        """Which curve of the outline each piece is next to, and from which parameter to which."""
+        home = self.anchor.curves(np.array([float(self.end)]))[0][: self.anchor.counts[0]]
+        places = Places(Outline(home, self.anchor.closed[0]))
+        middles = evaluate(self.pieces.target, np.array([0.5]))[:, 0]
+        curve, _ = places.locate(places.nearest(middles))
+        ends = []
+        for point, joint in ((self.pieces.target[:, 0], 0.0), (self.pieces.target[:, 3], 1.0)):
+            found, at = places.locate(places.nearest(point))
+            # What lies on a joint may be found on the curve before or after it.
+            ends.append(np.where((found == curve) & (at > 0), at, joint))
+        return curve, ends[0], ends[1]
+
+    def curves(self, t: Floats) -> Curves:
+        """Control points at the times (F,), (F, P, 4, 2); exactly its own at its end."""
+        curve, start, end = self._parts
+        whole = self.anchor.curves(t)[:, curve]
+        both = (np.tile(at, len(t)) for at in (start, end))
+        there = sub_curves(whole.reshape(-1, 4, 2), *both).reshape(whole.shape)
+        result = self.pieces.source + (there - self.pieces.target)
+        result[:, 1:, 0] = result[:, :-1, 3]
+        result[:, 0, 0] = result[:, -1, 3]
+        result[t == self.end] = self.pieces.source
         return np.asarray(result)
 
 

@@ -186,7 +186,8 @@ def _by_itself(k: int, side: Side) -> Going | None:
     if anchor in side.anchors and item.closed:
         thins = item.painted is None  # else it has no stroke
         leaving = Leaving(side.window, thins=float(thins), fades=not thins)
-        return Going(leaving, side.carry(anchor, item.centre, "in"))
+        along = side.anchors[anchor][0] if thins else None
+        return Going(leaving, side.carry(anchor, item.centre, "in"), along=along)
     if item.cut and not item.filled:
         return gap_going(k, side)
     parent = staying_parent(k, scene, side.anchors)

@@ -9,6 +9,7 @@ import numpy as np
 
 from shapetween.base.arrays import Points
 from shapetween.base.ends import End
+from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import Dot, Segment
 from shapetween.scene.items import Item
 from shapetween.scene.motion.fold import Fold
@@ -65,12 +66,15 @@ class Going:
         Where that line is cut, or a ring that is drawn, as a share of its length.
     fold : Fold or None
         How a line folds down onto what it hangs on, instead.
+    along : CurveTrack or None
+        The outline that a ring runs along and keeps to, instead.
     """
 
     leaving: Leaving
     carries: tuple[Carry, ...] = ()
     cut: float = 0.5
     fold: Fold | None = None
+    along: CurveTrack | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,7 @@ from shapetween.model.paint import Style
 from shapetween.model.part import CurveTrack, Part
 from shapetween.scene.cuts.lines import opaque
 from shapetween.scene.items import Item
+from shapetween.scene.motion.carried import Following
 from shapetween.scene.motion.tracks import Frame, Framed
 from shapetween.scene.places import Places, cut_alike, run_of
 from shapetween.scene.strokes.outlined import stroke_notice, stroked_leaving
@@ -44,6 +45,8 @@ def unmatched_part(
         seen = track if frame is None else Framed(track, frame)
         return Part(item.name, (seen,), LeavingPaint(style, leaving, end, seen), end)
 
+    if going.along is not None:
+        return part(Following.of(item.outer, end, going.along), item.style, leaving), ()
     if painted is not None and leaving.kept is None and fold is None:  # nothing asks for its line
         return part(_rings(painted.rings, leaving, end, carries), painted.style, leaving), ()
     rings = [ring.curves for ring in item.rings]
