@@ -72,3 +72,83 @@ def test_what_has_a_thing_more_away_from_its_bar_is_not_only_crossed_out(
         for area in (BODY, more)
     ]
     assert (crossed_tracks((items[0], items[1]), 140.0) is not None) is is_one
+
+
+FRAME = shapely.box(25, 15, 75, 85).buffer(4)
+THIN = FRAME.difference(FRAME.buffer(-2.5))
+BAR = shapely.LineString([(10, 90), (90, 10)])
+
+
+def crossed(first: shapely.Geometry, second: shapely.Geometry) -> bool:
+    """Whether one of two areas is the other one crossed out, on a page of 100."""
+    one, other = (
+        items_of(read_svg(f"{PAGE}{path(area)}</svg>".encode(), "x").shapes, "x")[0]
+        for area in (first, second)
+    )
+    comes = crossed_tracks((one, other), 100.0) is not None
+    assert (crossed_tracks((other, one), 100.0) is not None) is comes
+    return comes
+
+
+@pytest.mark.parametrize(("aside", "is_one"), [(1.4, True), (3.0, False)])
+def test_a_thin_outline_drawn_a_little_aside_is_crossed_out(aside: float, is_one: bool) -> None:
+    """Nothing of it coincides, and the slash runs through its walls without a gap."""
+    assert crossed(THIN, affinity.translate(THIN, aside).union(BAR.buffer(1.2))) is is_one
+
+
+def test_a_slash_that_other_changes_touch_is_drawn_along_its_length() -> None:
+    """Rings in one another come apart under it, so what is new there is no bar."""
+    rings = [shapely.Point(*c).buffer(22) for c in ((36, 64), (64, 36))]
+    walls = [ring.difference(ring.buffer(-7)) for ring in rings]
+    over = shapely.box(0, 0, 100, 50).intersection(walls[0]).buffer(3)
+    linked = walls[0].union(walls[1].difference(over))
+    slash = shapely.LineString([(14, 14), (86, 86)]).buffer(3.5)
+    apart = shapely.union_all(walls).difference(slash.buffer(6)).union(slash)
+    assert crossed(linked, apart)
+    found = frames(path(linked), path(apart))
+    before = found[4].difference(linked.buffer(0.5)).difference(apart.buffer(0.5))
+    assert before.area < 1e-6  # nothing is drawn that neither has
+
+
+@pytest.mark.parametrize(
+    ("slash", "is_one"),
+    [
+        (BAR.buffer(0.6), True),
+        (BAR.buffer(0.4), False),
+        (BAR.buffer(6.5, cap_style="flat"), True),
+        (BAR.buffer(8.5, cap_style="flat"), False),
+        (shapely.Polygon([(9, 89), (11, 91), (91.3, 11.3), (88.7, 8.7)]), True),
+        (shapely.Polygon([(9, 89), (11, 91), (92.4, 12.4), (87.6, 7.6)]), False),
+        (shapely.LineString([(50, 2), (50, 98)]).buffer(1.5), False),
+        (shapely.LineString([(38, 2), (80, 98)]).buffer(1.5), True),
+        (shapely.LineString([(28, 72), (60, 40)]).buffer(1.5), False),
+    ],
+)
+def test_slashes_are_long_oblique_bars(slash: shapely.Geometry, is_one: bool) -> None:
+    assert crossed(THIN, affinity.translate(THIN, 0.8).union(slash)) is is_one
+
+
+def test_a_slash_that_much_crosses_is_one() -> None:
+    """Edges of its sides are as short as what is between the lines that it crosses."""
+    lines = shapely.union_all([shapely.box(10, y, 90, y + 2) for y in range(12, 90, 8)])
+    assert crossed(lines, affinity.translate(lines, 0, 0.6).union(BAR.buffer(1.2)))
+
+
+def test_a_slash_ends_although_an_edge_runs_on_beside_it() -> None:
+    roof = shapely.Polygon([(41, 60.4), (93, 8.4), (95.2, 10.6), (43.2, 62.6)])
+    slash = shapely.LineString([(12, 88), (66, 34)]).buffer(2.8, cap_style="flat")
+    house = shapely.union_all([THIN, roof, shapely.box(30, 20, 45, 40)])
+    assert crossed(house, house.union(slash))
+
+
+def test_a_bow_across_is_no_slash() -> None:
+    bow = shapely.Point(120, 120).buffer(141, quad_segs=40).boundary.buffer(1.2)
+    across = bow.intersection(shapely.box(2, 2, 98, 98))
+    assert not crossed(THIN, affinity.translate(THIN, 0.8).union(across))
+
+
+def test_a_slash_comes_in_another_colour() -> None:
+    other = affinity.translate(THIN, 0.8).union(BAR.buffer(1.2))
+    scene = prepared(path(THIN), path(other, "#161a1e")).scene
+    assert scene is not None
+    assert [role.reason for role in scene.roles.pairs] == ["kept"]

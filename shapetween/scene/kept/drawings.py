@@ -83,10 +83,11 @@ def _most_rings(sides: Sides) -> int:
 
 
 def _one_colour(sides: Sides) -> bool:
-    """Whether all is plain areas of one colour."""
-    items = [item for side in sides for item in side]
-    return all(item.plain for item in items) and not any(
-        np.abs(item.colour - items[0].colour).sum() > COLOUR for item in items
+    """Whether each drawing is plain areas of one colour."""
+    return all(
+        item.plain and np.abs(item.colour - side[0].colour).sum() <= COLOUR
+        for side in sides
+        for item in side
     )
 
 

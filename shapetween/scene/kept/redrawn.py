@@ -6,13 +6,16 @@ a person sees one thing that stands still. Before the tip of the slash the first
 behind it the second one.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from shapetween.base.arrays import Points
 from shapetween.model.part import CurveTrack
 from shapetween.scene.items import Item
 from shapetween.scene.kept.appearing import HalfPlaneClip, extent_along
-from shapetween.scene.kept.bars import Bar, bar_of
+from shapetween.scene.kept.bars import OBLIQUE, Bar
 from shapetween.scene.kept.pieces import drawn_rings
 
 if TYPE_CHECKING:
@@ -24,11 +27,25 @@ __all__ = ["crossed_tracks"]
 #: thin slashes are lost; smaller, and what is drawn anew is seen as something else.
 SLIVER = 5e-3
 
+#: How far what is drawn anew is from where it was, as a share of the drawing. Less, and a thin
+#: outline that is drawn a little narrower is another one; more, and thin walls change places.
+NEAR = 0.01
+
 #: Least length of a slash, as a share of the drawing.
 LONG = 0.55
 
-#: Least ratio of its sides that a piece of a slash has. Smaller, and any blot begins one.
-PIECE = 1.6
+#: Widths of slashes, as shares of the drawing. More of the least, and the slash of a thin line
+#: icon is none; more of the greatest, and a wide band that comes is drawn along its length.
+THIN, WIDE = 0.01, 0.15
+
+#: Shortest edge of a slash, as a share of the drawing. Longer, and a slash that much crosses is not
+#: seen; shorter, and every curve of a round corner is looked at.
+SHORT = 0.02
+
+#: Sine of the angle between edges of one bar, and how far apart those on one side of it may be, as
+#: a share of the drawing. Less, and a slash drawn by hand is none; more, and it runs on into edges
+#: of what it crosses.
+PARALLEL, ONE_LINE = 0.02, 0.006
 
 #: Share of a slash that may be missing in the drawing that has it, and least share of it that the
 #: other one has not.
@@ -70,20 +87,20 @@ def crossed_tracks(
     import shapely
 
     drawn = [shapely.union_all([item.drawn for item in side]) for side in sides]
-    differences = [_thick(drawn[k].difference(drawn[1 - k]), scale) for k in (0, 1)]
+    near = [area.buffer(NEAR * scale) for area in drawn]
+    differences = [_thick(drawn[k].difference(near[1 - k]), scale) for k in (0, 1)]
+    changed = shapely.union_all(differences)
+    whole = shapely.union_all(drawn).area
     for comes in (True, False):
-        bar = _slash(differences[int(comes)], drawn[int(comes)], comes, scale)
-        if bar is None:
-            continue
-        elsewhere = shapely.union_all(differences).difference(bar.around)
-        whole = shapely.union_all(drawn).area
-        largest = max((part.area for part in shapely.get_parts(elsewhere).tolist()), default=0.0)
-        if elsewhere.area > ELSEWHERE * whole or largest > THING * whole:
-            continue
-        plain = drawn[1 - int(comes)]
-        if plain.difference(bar.around).area < LEFT * plain.area:
-            continue
-        return _clipped(sides, bar, scale)
+        plain = drawn[not comes]
+        for bar in _slashes(sides[comes], drawn[comes], plain, comes, scale):
+            elsewhere = changed.difference(bar.around)
+            parts = shapely.get_parts(elsewhere).tolist()
+            largest = max((part.area for part in parts), default=0.0)
+            if elsewhere.area > ELSEWHERE * whole or largest > THING * whole:
+                continue
+            if plain.difference(bar.around).area >= LEFT * plain.area:
+                return _clipped(sides, bar, scale)
     return None
 
 
@@ -99,28 +116,74 @@ def _thick(area: "shapely.Geometry", scale: float) -> "shapely.Geometry":
     return shapely.union_all(parts)
 
 
-def _slash(
-    difference: "shapely.Geometry", drawn: "shapely.Geometry", comes: bool, scale: float
-) -> Bar | None:
-    """The slash that some pieces of what only one drawing has are parts of."""
+def _slashes(
+    side: Sequence[Item],
+    drawn: "shapely.Geometry",
+    other: "shapely.Geometry",
+    comes: bool,
+    scale: float,
+) -> Iterator[Bar]:
+    """What may be the slash that one drawing has and the other one has not, longest first.
+
+    Parameters
+    ----------
+    side : sequence of Item
+        What has it.
+    drawn, other : shapely geometry
+        All that is drawn there, and in the other drawing.
+    comes : bool
+        Whether the second drawing has it.
+    scale : float
+    """
     import shapely
 
-    pieces = shapely.get_parts(difference).tolist()
-    for piece in sorted(pieces, key=lambda p: -round(p.area / scale**2, 9)):
-        own = bar_of(piece, comes, slender=PIECE)
-        if own is None:
+    for bar in _bars(side, comes, scale):
+        ends = bar.centre + np.array([[-0.5], [0.5]]) * bar.length * bar.ahead
+        area = shapely.LineString(ends).buffer(bar.half, cap_style="flat")
+        missing = area.difference(drawn).area
+        new = area.difference(other).area - missing
+        if missing < MISSING * area.area and new > NEW * area.area:
+            yield bar
+
+
+def _bars(side: Sequence[Item], comes: bool, scale: float) -> list[Bar]:
+    """Long oblique bars that have straight edges of a drawing's outlines on both sides.
+
+    The longest one comes first. What the bar runs through may part its edges.
+    """
+    edges = _long_chords(side, scale)
+    starts, ways = edges[:, 0], edges[:, 1] - edges[:, 0]
+    units = ways / np.hypot(ways[:, 0], ways[:, 1])[:, None]
+    found: dict[tuple[float, ...], Bar] = {}
+    for start, unit in zip(starts, units, strict=True):
+        if np.abs(unit).min() <= OBLIQUE:
             continue
-        line = [own.centre - 2 * scale * own.ahead, own.centre + 2 * scale * own.ahead]
-        strip = shapely.LineString(line).buffer(own.half * 1.15, cap_style="flat")
-        along = [other for other in pieces if strip.contains(other)]
-        hull = shapely.union_all(along).convex_hull
-        bar = bar_of(hull, comes)
-        if bar is None or bar.length < LONG * scale:
-            continue
-        missing = hull.difference(drawn).area
-        if missing < MISSING * hull.area and difference.intersection(hull).area > NEW * hull.area:
-            return bar
-    return None
+        ahead = unit if unit[1] > 0 else -unit
+        normal = np.array([-ahead[1], ahead[0]])
+        alike = np.abs(units @ normal) < PARALLEL
+        aside = (starts - start) @ normal / scale
+        reach = edges @ ahead
+        for width in np.unique(np.round(aside[alike & (aside > THIN) & (aside < WIDE)], 3)):
+            own = alike & ((np.abs(aside) < ONE_LINE) | (np.abs(aside - width) < ONE_LINE))
+            low, high = float(reach[own].min()), float(reach[own].max())
+            if high - low < LONG * scale:
+                continue
+            half = float(width * scale / 2)
+            centre = (start @ normal + half) * normal + (low + high) / 2 * ahead
+            bar = Bar(centre, ahead, half, high - low, comes)
+            key = -bar.length / scale, *(centre / scale), width
+            found.setdefault(tuple(round(float(value), 3) for value in key), bar)
+    return [found[key] for key in sorted(found)]
+
+
+def _long_chords(side: Sequence[Item], scale: float) -> Points:
+    """Ends of the curves of a drawing's outlines that may be edges of a slash, (N, 2, 2).
+
+    Bent ones need not be told: what is beside their chords is not drawn, or is drawn outside.
+    """
+    curves = np.concatenate([ring.curves for item in side for ring in item.rings])
+    ways = curves[:, 3] - curves[:, 0]
+    return np.asarray(curves[np.hypot(ways[:, 0], ways[:, 1]) > SHORT * scale][:, [0, 3]])
 
 
 def _clipped(
