@@ -3,10 +3,9 @@
 import numpy as np
 
 from shapetween.scene.assign import Roles
-from shapetween.scene.features import Feature, features_of
+from shapetween.scene.faces import FACIAL, features_of_both
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene
-from shapetween.scene.sets import sets_of
 
 __all__ = ["backdrops", "one_is_a_face"]
 
@@ -18,9 +17,6 @@ WAY, SIZES = 0.06, 0.2
 #: looks over its edge; below, and the larger half of a drawing is a card.
 COVERED = 0.9
 
-#: What lies on a face. Of two faces the head is no card: they look another way when these move.
-FACIAL = Feature.EYE | Feature.BROW | Feature.NOSE | Feature.MOUTH
-
 
 def backdrops(a: Scene, b: Scene, roles: Roles) -> tuple[int, ...]:
     """Indices of the pairs that everything else lies on.
@@ -31,6 +27,7 @@ def backdrops(a: Scene, b: Scene, roles: Roles) -> tuple[int, ...]:
     roles : Roles
     """
     scale = (a.scale + b.scale) / 2
+    kinds = [features.kinds & FACIAL for features in features_of_both(a, b)]
     found = []
     for k, role in enumerate(roles.pairs):
         i, j = role.first, role.second
@@ -40,7 +37,11 @@ def backdrops(a: Scene, b: Scene, roles: Roles) -> tuple[int, ...]:
         if away > WAY * scale or abs(np.log(a.sizes[i] / b.sizes[j])) > SIZES:
             continue
         ends = ((a, i), (b, j))
-        if all(_is_below_all(*end) for end in ends) and not all(_is_face(*end) for end in ends):
+        # Of two faces the head is no card: they look another way when what is on it moves.
+        face = all(
+            own[scene.parents == head].any() for own, (scene, head) in zip(kinds, ends, strict=True)
+        )
+        if all(_is_below_all(*end) for end in ends) and not face:
             found.append(k)
     return tuple(found)
 
@@ -56,13 +57,8 @@ def _is_below_all(scene: Scene, card: int) -> bool:
 def one_is_a_face(a: Scene, b: Scene, first: int, second: int) -> bool:
     """Whether one of two things has a face on it, and there is none in all the other drawing."""
     ends = (a, first), (b, second)
-    kinds = [features_of(scene, sets_of(scene)).kinds & FACIAL for scene, _ in ends]
+    kinds = [features.kinds & FACIAL for features in features_of_both(a, b)]
     on_it = [
         bool(own[scene.ancestors[:, k]].any()) for own, (scene, k) in zip(kinds, ends, strict=True)
     ]
     return on_it[0] != on_it[1] and not all(own.any() for own in kinds)
-
-
-def _is_face(scene: Scene, head: int) -> bool:
-    kinds = features_of(scene, sets_of(scene)).kinds
-    return bool((kinds[scene.parents == head] & FACIAL).any())

@@ -14,7 +14,8 @@ from shapetween.scene.assign import Role, Roles
 from shapetween.scene.disturbance import waviness
 from shapetween.scene.doubtful import CERTAIN, nothing_corresponds
 from shapetween.scene.exchange import too_different
-from shapetween.scene.hosts import faces, lies_on, stands_still
+from shapetween.scene.faces import have_faces
+from shapetween.scene.hosts import lies_on, stands_still
 from shapetween.scene.relations import Scene, perceive
 
 __all__ = ["contents_apart"]
@@ -47,7 +48,7 @@ def contents_apart(
         np.isin(np.arange(len(a.items)), [role.first for role in same]),
         np.isin(np.arange(len(b.items)), [role.second for role in same]),
     )
-    has_face = faces(a), faces(b)
+    has_face = have_faces(a, b)
     for role in roles.pairs:
         i, j = role.first, role.second
         one, other = a.items[i], b.items[j]

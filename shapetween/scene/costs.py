@@ -13,6 +13,7 @@ from shapetween.base.ranking import comparable
 from shapetween.scene.evidence import (
     Evidence,
     features_cost,
+    mouths_saving,
     named_saving,
     sets_cost,
     sole_saving,
@@ -116,6 +117,7 @@ def fixed_terms(a: Scene, b: Scene, evidence: Evidence) -> dict[str, Floats]:
         "scaled": -SCALED * drawn_alike(a, b),
         "unique": -unique_saving(a, b),
         "sole": -sole_saving(a, b),
+        "mouths": -mouths_saving(a, b, evidence),
         "named": -named_saving(a, b),
         "features": features,
         "sets": sets_cost(evidence),

@@ -3,12 +3,9 @@
 import numpy as np
 
 from shapetween.base.arrays import Mask, Points
-from shapetween.scene.backdrops import FACIAL
-from shapetween.scene.features import features_of
 from shapetween.scene.relations import Scene
-from shapetween.scene.sets import sets_of
 
-__all__ = ["faces", "lies_on", "stands_still"]
+__all__ = ["lies_on", "stands_still"]
 
 #: Way of the middle, as a share of the drawing, and logarithm of width and of height, up to which
 #: a thing stands still. Larger, and the lens of a camera leaves the body that becomes a tower;
@@ -56,12 +53,3 @@ def lies_on(scene: Scene, host: int) -> Mask:
     on_it &= np.round(enclosed / ground.area, 6) < SMALLER
     may[near] = on_it
     return np.asarray(may)
-
-
-def faces(scene: Scene) -> Mask:
-    """Which items have features of a face on them, (N,)."""
-    import shapely
-
-    kinds = features_of(scene, sets_of(scene)).kinds & FACIAL
-    middles = shapely.points(scene.centres[kinds > 0])
-    return np.array([bool(shapely.contains(i.enclosed, middles).any()) for i in scene.items])

@@ -12,7 +12,8 @@ from shapetween.base.ends import End
 from shapetween.model.part import CurveTrack
 from shapetween.scene.assign import Role, Roles
 from shapetween.scene.contents import contents_apart
-from shapetween.scene.hosts import faces, lies_on, stands_still
+from shapetween.scene.faces import have_faces
+from shapetween.scene.hosts import lies_on, stands_still
 from shapetween.scene.items import items_of
 from shapetween.scene.relations import Scene, perceive
 from shapetween.scene.unmatched.clusters import clusters_of
@@ -66,7 +67,8 @@ def signs(
     track: CurveTrack = Slid(own, there + (0 if way is None else way))  # type: ignore[assignment]  # of the whole protocol only this is asked
     rest = found.items[1:staying]
     others = {k: (Slid(*[item.outer.curves] * 2),) for k, item in enumerate(rest, 1)}
-    side = Side(found, {0: (track,), **others}, End.SOURCE)  # type: ignore[dict-item]
+    anchors = {0: (track,), **others}
+    side = Side(found, anchors, End.SOURCE, faces=have_faces(found, found)[0])  # type: ignore[arg-type]
     clusters = clusters_of(range(staying, len(found.items)), found, side.anchors)
     return [cluster.members for cluster in joined_on_hosts(clusters, side) if cluster.sign]
 
@@ -138,7 +140,7 @@ def test_features_of_a_face_go_each_in_its_place() -> None:
     brows = hook(44, 26, 8) + hook(52, 26, 8)
     disc = '<circle cx="50" cy="50" r="40" fill="#fc0"/>'
     with_face = scene(disc + eyes + mouth + brows)
-    assert faces(with_face)[0]
+    assert have_faces(with_face, scene(disc))[0][0]
     assert signs(with_face) == []
     assert signs(scene(disc + brows)) == [(1, 2)]
 
@@ -214,8 +216,8 @@ def test_a_face_gives_way_to_what_is_none_and_moves_to_a_face() -> None:
     face = scene(
         disc + mouth + '<circle cx="35" cy="40" r="5"/><circle cx="65" cy="40" r="5"/>' + BURST
     )
-    other = scene(disc + BURST + mouth + '<ellipse cx="35" cy="40" rx="4" ry="9"/>')
-    assert faces(face)[0]
-    assert not faces(other)[0]
+    other = scene(disc + BURST + '<ellipse cx="35" cy="40" rx="4" ry="9"/>')
+    assert have_faces(face, other)[0][0]
+    assert not have_faces(other, other)[0][0]
     assert apart(face, face) == set()
     assert apart(face, scene(disc + BURST)) == {1}

@@ -256,6 +256,15 @@ def test_a_ground_that_others_stay_on_melts_and_a_small_one_shrinks(
     assert (0 < part.style(0.7).opacity < 1) == melts
 
 
+def test_a_mask_comes_in_from_the_edge_and_does_not_melt(tmp_path: Path) -> None:
+    """Half dark over half bright, all along the edge of a head, is mud half-way."""
+    mouth = '<circle cx="12" cy="17" r="1.5" fill="#822"/>'
+    mask = '<path d="M2 13h20a10 10 0 0 1-20 0z" fill="#333"/>'
+    (part,) = lone(morph(tmp_path, FACE + mouth, FACE + mask + mouth), arrives=True)
+    assert part.style(0.7).opacity == 1
+    assert np.ptp(box(part, 0.7)[:, 0]) < np.ptp(box(part, 1.0)[:, 0])
+
+
 def test_rays_keep_to_what_they_surround_all_alike(tmp_path: Path) -> None:
     turns = range(0, 360, 45)
     rays = "".join(f'<path transform="rotate({k} 12 12)" d="M12 2v3"/>' for k in turns)

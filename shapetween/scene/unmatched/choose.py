@@ -15,6 +15,7 @@ from shapetween.base.arrays import Points
 from shapetween.base.ends import End
 from shapetween.geometry.bezier import flatten
 from shapetween.scene.asked import Change
+from shapetween.scene.faces import have_faces
 from shapetween.scene.forms import RoundedBox
 from shapetween.scene.relations import Scene
 from shapetween.scene.unmatched.clusters import (
@@ -106,9 +107,10 @@ def goings_between(
         for s, own in zip(scenes, unmatched, strict=True)
     ]
     apart = _apart(scenes, unmatched)
+    seen = have_faces(*scenes)
     sides = (
-        Side(scenes[0], anchors[0], End.SOURCE, gaps[1], not unmatched[1], apart),
-        Side(scenes[1], anchors[1], End.TARGET, gaps[0], not unmatched[0], apart),
+        Side(scenes[0], anchors[0], End.SOURCE, gaps[1], not unmatched[1], apart, seen[0]),
+        Side(scenes[1], anchors[1], End.TARGET, gaps[0], not unmatched[0], apart, seen[1]),
     )
     first, second = (_goings(s, own, change) for s, own in zip(sides, unmatched, strict=True))
     timed_gaps(sides[0], sides[1], first, second)
@@ -193,9 +195,12 @@ def _by_itself(k: int, side: Side) -> Going | None:
     parent = staying_parent(k, scene, side.anchors)
     if parent is not None and item.filled and scene.items[parent].filled:
         away = np.abs(scene.colours[k] - scene.colours[parent]).sum()
-        ground = scene.sizes[k] > GROUND * scene.sizes[parent] and any(
+        over = scene.sizes[k] > GROUND * scene.sizes[parent] and any(
             scene.parents[j] == k and scene.items[j].filled for j in side.anchors
         )
+        # What comes in from an edge is no ground: it slides over what lies there.
+        edge = contact([k], parent, scene, inside=True)[1]
+        ground = over and edge <= TOUCHES * scene.sizes[k]
         if (away < SHADE or ground) and scene.common(k, parent) > LIES_ON * item.area:
             return Going(Leaving(side.window, fades=True), side.carry(parent, item.centre, "in"))
     return None

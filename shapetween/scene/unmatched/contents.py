@@ -6,7 +6,7 @@ import numpy as np
 
 from shapetween.base.arrays import Curves, Points
 from shapetween.scene.forms import RoundedBox, Segment
-from shapetween.scene.hosts import faces, lies_on, stands_still
+from shapetween.scene.hosts import lies_on, stands_still
 from shapetween.scene.relations import Scene
 from shapetween.scene.sets import components
 from shapetween.scene.unmatched.clusters import Cluster, contact
@@ -46,11 +46,10 @@ def joined_on_hosts(found: Sequence[Cluster], side: Side) -> list[Cluster]:
     hosts = _hosts(found, side)
     if not any(host is not None for host in hosts):
         return list(found)
-    has_face = faces(scene)
     result: list[Cluster] = []
     for host in dict.fromkeys(hosts):
         own = [cluster for cluster, on in zip(found, hosts, strict=True) if on == host]
-        if host is None or has_face[host]:
+        if host is None or (side.faces is not None and side.faces[host]):
             result += own  # features of a face go each in its place
             continue
         free = [

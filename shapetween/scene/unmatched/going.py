@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from shapetween.base.arrays import Points
+from shapetween.base.arrays import Mask, Points
 from shapetween.base.ends import End
 from shapetween.model.part import CurveTrack
 from shapetween.scene.forms import Dot, Segment
@@ -94,6 +94,8 @@ class Side:
         Whether the other drawing has nothing without a partner.
     apart : bool
         Whether that is nowhere near what has none of this one.
+    faces : mask, optional
+        Which items have features of a face on them.
     """
 
     scene: Scene
@@ -102,6 +104,7 @@ class Side:
     gaps: tuple[Item, ...] = ()
     only: bool = False
     apart: bool = False
+    faces: Mask | None = None
 
     @cached_property
     def window(self) -> tuple[float, float]:
