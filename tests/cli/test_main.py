@@ -1,5 +1,6 @@
 """Help, exit codes, and what is told of what went wrong."""
 
+import gc
 import re
 import subprocess
 import sys
@@ -113,3 +114,14 @@ def test_wrong_options_are_answered_before_heavy_imports() -> None:
         check=False,
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_circles_are_looked_for_seldom_but_they_are(
+    run: Command, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Hardly while modules are imported, of which each leaves hundreds of objects."""
+    told: list[int] = []
+    monkeypatch.setattr(gc, "set_threshold", told.append)
+    run("--version")
+    assert len(told) == 1
+    assert 10_000 < told[0] < 100_000

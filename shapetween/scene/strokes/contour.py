@@ -145,7 +145,7 @@ def _wall(
     """A part of the wall beside one curve, (1, 4, 2), in the contour's direction."""
     offset = side * half
     head, tail = (shear[curve] for shear in frame.shears(np.full(frame.zones.count, float(side))))
-    length = max(float(frame.lengths()[curve]), 1e-300)
+    length = max(float(frame.lengths[curve]), 1e-300)
     ends = np.array([low, high]) if side < 0 else 1 - np.array([low, high])
     t = np.clip(ends + offset * ((1 - ends) * head + ends * tail) / length, 0.0, 1.0)
     index = np.full(2, curve)
@@ -171,7 +171,7 @@ def _arc(centre: Points, start: Points, angle: float) -> Curves:
 
 def _join(frame: StrokeFrame, half: float, curve: int, side: int, join: Join) -> Curves:
     """The outer side of a corner, in the contour's direction; nothing on the inner side."""
-    turn = float(frame.turns()[curve])
+    turn = float(frame.turns[curve])
     if turn * side >= 0 or abs(turn) < 1e-9:
         return np.zeros((0, 4, 2))
     node = frame.curves[curve, 0]

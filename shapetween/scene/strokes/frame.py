@@ -8,10 +8,11 @@ Left and right are as seen along the line with y down.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from shapetween.base.arrays import Curves, Floats, Index, Points
+from shapetween.base.arrays import Curves, Floats, Index, Points, row_sums
 from shapetween.geometry.bezier import derivatives, end_tangents, evaluate
 from shapetween.geometry.polygon import cross
 
@@ -101,7 +102,7 @@ class Places:
     side: Index
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class StrokeFrame:
     """Directions along a line at one time or at several.
 
@@ -119,6 +120,7 @@ class StrokeFrame:
         """How its contour is counted."""
         return Zones(self.curves.shape[-3], self.closed)
 
+    @cached_property
     def turns(self) -> Floats:
         """Turn before each curve, radians, (..., N); 0 at an open line's start."""
         leaving, reaching = end_tangents(self.curves)
@@ -128,6 +130,7 @@ class StrokeFrame:
             turn[..., 0] = 0.0
         return np.asarray(turn)
 
+    @cached_property
     def lengths(self) -> Floats:
         """Length of each curve, roughly, (..., N)."""
         points = evaluate(self.curves, np.linspace(0, 1, CHORDS + 1))
@@ -138,7 +141,7 @@ class StrokeFrame:
 
         They are tangents of half the turns, on the inner side of corners, and 0 on the outer.
         """
-        turn = self.turns()
+        turn = self.turns
         after = np.roll(turn, -1, axis=-1)
 
         def shear(angle: Floats) -> Floats:
@@ -190,7 +193,7 @@ class StrokeFrame:
         along, aside = (off * tangent).sum(-1), (off * normal).sum(-1)
         side = np.where(aside < 0, -1, 1)
         n = zones.count
-        turn = self.turns()
+        turn = self.turns
         # The node at which the foot stands still, and whether it is a corner seen from outside.
         at_start, at_end = t <= 0.0, t >= 1.0
         node = np.where(at_end, (curve + 1) % n, curve)
@@ -223,7 +226,7 @@ class StrokeFrame:
     def _on_wall(self, curve: Index, side: Index, t: Floats, aside: Floats) -> Floats:
         """Places between the mitre lines of corners, from feet on the line."""
         start, end = self._sheared(side, curve)
-        length = np.maximum(self.lengths()[curve], 1e-300)
+        length = np.maximum(self.lengths[curve], 1e-300)
         span = np.maximum(length + aside * (end - start), LEAST_WALL * length)
         return np.asarray(np.clip((t * length - aside * start) / span, 0.0, 1.0))
 
@@ -239,17 +242,22 @@ class StrokeFrame:
 
     def _sheared(self, side: Index, curve: Index) -> tuple[Floats, Floats]:
         """Shears at both ends of the curves that points on one side or the other belong to."""
-        n = self.zones.count
-        left, right = self.shears(np.full(n, -1.0)), self.shears(np.full(n, 1.0))
+        left, right = self._both_shears
         return (
             np.where(side < 0, left[0][curve], right[0][curve]),
             np.where(side < 0, left[1][curve], right[1][curve]),
         )
 
+    @cached_property
+    def _both_shears(self) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+        """Shears on either side."""
+        n = self.zones.count
+        return self.shears(np.full(n, -1.0)), self.shears(np.full(n, 1.0))
+
     def _turned(self, node: Index, off: Points) -> Floats:
         """Share of the turn at a corner that a direction away from it has been through."""
         before = np.roll(end_tangents(self.curves)[1], 1, axis=0)[node]
-        turn = self.turns()[node]
+        turn = self.turns[node]
         outward = np.stack([-before[:, 1], before[:, 0]], axis=-1) * -np.sign(turn)[:, None]
         angle = np.arctan2(cross(outward, off), (outward * off).sum(-1))
         return np.asarray(np.clip(angle / np.where(turn == 0, 1.0, turn), 0.0, 1.0))
@@ -260,10 +268,12 @@ class StrokeFrame:
         chords = evaluate(self.curves, t)
         ends = np.concatenate([chords[:, 1:], self.curves[:, 3:]], axis=1)
         start, step = chords.reshape(-1, 2), (ends - chords).reshape(-1, 2)
-        size = (step**2).sum(-1)
-        away = points[:, None] - start
-        part = np.clip((away * step).sum(-1) / np.where(size > 0, size, 1.0), 0.0, 1.0)
-        distance = ((away - part[..., None] * step) ** 2).sum(-1)
+        size = row_sums(step**2)
+        x, y = (points[:, None, k] - start[:, k] for k in (0, 1))
+        part = x * step[:, 0] + y * step[:, 1]
+        part = np.clip(part / np.where(size > 0, size, 1.0), 0.0, 1.0)
+        x, y = x - part * step[:, 0], y - part * step[:, 1]
+        distance = x**2 + y**2
         # Of places equally near, as at the two sides of a joint, the first.
         least = distance.min(axis=1, keepdims=True)
         scale = float(np.ptp(self.curves.reshape(-1, 2), axis=0).max()) ** 2

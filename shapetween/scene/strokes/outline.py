@@ -105,7 +105,7 @@ class _Bound:
             How much wider the corner is than it was.
         """
         curve = np.repeat(self.curve, 2)
-        now = frame.turns()[:, curve]
+        now = frame.turns[:, curve]
         was = turns[curve]
         steady = np.abs(was) < LEAST_TURN
         ratio = np.where(steady, 1.0, now / np.where(steady, 1.0, was))
@@ -128,7 +128,7 @@ def _slid(
         np.where(side < 0, both[0][k][..., curve], both[1][k][..., curve]) for k in (0, 1)
     )
     wall = kind == WALL
-    length = np.maximum(frame.lengths()[..., curve], 1e-300)
+    length = np.maximum(frame.lengths[..., curve], 1e-300)
     shear = np.where(wall, (1 - place) * start + place * end, 0.0)
     t = np.clip(place + aside * shear / length, 0.0, 1.0)
     t = np.where(wall, t, np.where(kind == CAP, np.where(side > 0, 1.0, 0.0), 0.0))
@@ -234,7 +234,7 @@ def stroke_outline(
         for k in (0, 1):
             ends[k].append(bound[k].only(needed))
     counts = tuple(len(bound.kind) for bound in ends[0])
-    turns = frames[0].turns(), frames[1].turns()
+    turns = frames[0].turns, frames[1].turns
     outline = StrokeOutline(counts, (tuple(ends[0]), tuple(ends[1])), turns, closed)
     for line, t, own in zip(lines, (0.0, 1.0), walks, strict=True):
         if not _is_drawn(outline.curves(line[None], np.array([t]))[0], own):
@@ -252,8 +252,8 @@ def _is_drawn(curves: Curves, walks: Sequence[Walk]) -> bool:
 def _needless(frame: StrokeFrame, bound: _Bound) -> Mask:
     """Joins of smooth joints without any length."""
     size = np.abs(np.diff(bound.rest, axis=1)).max(axis=(1, 2))
-    smooth = np.abs(frame.turns()[bound.curve]) < SMOOTH
-    return np.asarray((bound.kind == JOIN) & smooth & (size <= 1e-9 * frame.lengths().max()))
+    smooth = np.abs(frame.turns[bound.curve]) < SMOOTH
+    return np.asarray((bound.kind == JOIN) & smooth & (size <= 1e-9 * frame.lengths.max()))
 
 
 def _bound(frame: StrokeFrame, side: int, places: Floats, parts: Curves) -> _Bound:
@@ -273,7 +273,7 @@ def _bound(frame: StrokeFrame, side: int, places: Floats, parts: Curves) -> _Bou
     place, aside = np.where(wall, place, 0.0), np.where(wall, aside, 0.0)
     t, shear = _slid(frame, kinds, curves, ways, place, aside)
     points, along, across, speed, bend = frame.frames(curves, t)
-    turn = frame.turns()[curves]
+    turn = frame.turns[curves]
     middle_way = rotations(-turn / 2) @ end_tangents(frame.curves[curves])[0][..., None]
     along = np.where(join[:, None], middle_way[..., 0], along)
     across = np.where(join[:, None], np.stack([-along[:, 1], along[:, 0]], axis=1), across)

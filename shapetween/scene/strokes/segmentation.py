@@ -231,7 +231,7 @@ def _jumps(frame: StrokeFrame, half: float, one: Points, other: Points) -> Mask:
 
 def _apart(frame: StrokeFrame, half: float, one: Points, other: Points) -> Floats:
     """Way along the contour between points beside it."""
-    zones, lengths = frame.zones, frame.lengths()
+    zones, lengths = frame.zones, frame.lengths
     kinds = [zones.of(zone) for zone in range(zones.total)]
     size = [
         lengths[k] if kind == WALL else (0.0, np.pi * half)[kind == CAP] for kind, k, _ in kinds
