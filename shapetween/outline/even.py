@@ -73,9 +73,9 @@ def evened(body: Carried) -> Carried:
     if not lines:
         return body
     t = np.linspace(0, 1, CHECKED_TIMES)
-    vertices = motion.vertices(t)
-    nodes = as_complex(vertices[:, : len(body.nodes.ends[0])])
-    curves = body.nodes.curves(vertices, t)
+    moving = motion.nodes(t)
+    nodes = as_complex(moving)
+    curves = body.nodes.curves(moving, t)
     places = np.stack([as_complex(flatten(frame, CHORDS)) for frame in curves])
     following = _following(body.counts)
     found = _partners(nodes, places, following, lines)

@@ -55,13 +55,13 @@ def faired(body: Carried) -> Carried:
     if not isinstance(motion, KeyedMotion) or not any(map(_changes, nodes.rings)):
         return body
     t = np.linspace(0, 1, CHECKED_TIMES)
-    vertices = motion.vertices(t)
+    places = motion.nodes(t)
     pushes = np.zeros((len(t), len(nodes.ends[0])), dtype=np.complex128)
     for k, (ring, part) in enumerate(zip(nodes.rings, nodes.parts, strict=True)):
         if _changes(ring):
             w = ring.samples.w[nodes.chosen[k]]
             fair = _Ring.of(nodes.carriers[k], w)
-            pushes[:, part] = fair.nodes(vertices[:, part], t) - as_complex(vertices[:, part])
+            pushes[:, part] = fair.nodes(places[:, part], t) - as_complex(places[:, part])
     pushes[[0, -1]] = 0.0
     found = pushed(body, motion, pushes)
     return found if found.crossing <= body.crossing else body

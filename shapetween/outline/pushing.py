@@ -31,7 +31,7 @@ def pushed(body: Carried, motion: KeyedMotion, pushes: Complex) -> Carried:
     mesh = motion.mesh
     sizes = (1 - t) * mesh.poses[0].size + t * mesh.poses[1].size
     path = KeyedMotion.of(mesh, motion.posed(t) + _spread(mesh, pushes / sizes[:, None]))
-    crossing = int((~body.nodes.simple(t, path.vertices(t))[1:-1]).sum())
+    crossing = int((~body.nodes.simple(t, path.nodes(t))[1:-1]).sum())
     return replace(body, path=path, crossing=crossing)
 
 
