@@ -189,10 +189,15 @@ def _closed(steps: Complex) -> Complex:
 def _unit(vectors: Complex) -> Complex:
     """Vectors of length 1 in the same direction; 1 where there is none."""
     size = np.abs(vectors)
-    return np.asarray(np.where(size > 0, vectors, 1.0) / np.where(size > 0, size, 1.0))
+    none = size < np.finfo(np.float64).tiny
+    if none.any():
+        vectors, size = np.where(none, 1.0, vectors), np.where(none, 1.0, size)
+    return np.asarray(vectors * (1 / size))
 
 
 def _in_the_large(values: Complex) -> Complex:
     """Values at even places without waves shorter than the scale, (..., PLACES)."""
     waves = 2 * np.pi * np.fft.fftfreq(PLACES, 1 / PLACES)
-    return np.asarray(np.fft.ifft(np.fft.fft(values) * (1 / (1 + (SCALE * waves) ** POWER))))
+    found = np.fft.fft(values)
+    found *= 1 / (1 + (SCALE * waves) ** POWER)
+    return np.asarray(np.fft.ifft(found, out=found))
